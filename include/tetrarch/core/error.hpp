@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+/// Three kinds of "no", two of which are thrown.
+///
+/// `PreconditionError`: the caller's mistake (a face glued twice, a stale skeleton). Always checked, cheap.
+/// `InputError`: bad data from outside. It names the source, the line where there is one, and the offending
+/// token. The third kind, a mathematical no, is never thrown: it is a `[[nodiscard]]` result.
+
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+namespace tetrarch {
+
+struct PreconditionError : std::logic_error {
+  using std::logic_error::logic_error;
+};
+
+/// A place in some input: `source` as the user named it, 1-based `line` (0: the input has no lines, or all of
+/// it).
+struct Place {
+  std::string source;
+  int line = 0;
+};
+
+struct InputError : std::runtime_error {
+  explicit InputError(const std::string& message);
+  /// The message reads "source:line: message" (without ":line" where the line is 0).
+  InputError(const Place& place, const std::string& message);
+};
+
+/// A token as it may stand in an error message: quoted, control characters replaced, cut after 40 characters.
+std::string quoted(std::string_view token);
+
+} // namespace tetrarch
