@@ -1,0 +1,284 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""The program as its users meet it: exit statuses, one line of complaint, JSON fields, files.
+
+Usage: program_test.py PROGRAM SOURCE_DIR
+"""
+import json
+import os
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+
+PROGRAM = os.path.abspath(sys.argv[1])
+SOURCE = os.path.abspath(sys.argv[2])
+
+
+def run(*arguments, stdin=None, cwd=None, env=None):
+    return subprocess.run([PROGRAM, *arguments], input=stdin, capture_output=True, text=True, cwd=cwd,
+                          timeout=300, env=env)
+
+
+def run_json(*arguments):
+    done = run(*arguments, "--json")
+    return done.returncode, json.loads(done.stdout)
+
+
+class Info(unittest.TestCase):
+    def test_the_knotted_y(self):
+        # Yin, section 4.2.3: two tetrahedra, one edge class, genus 2; H1 = Z^2 and a free group by Regina 7.3.
+        status, info = run_json("info", "cPcbbbihq")
+        self.assertEqual(status, 0)
+        self.assertEqual((info["tetrahedra"], info["faces"], info["edges"], info["vertices"]), (2, 4, 1, 1))
+        self.assertTrue(info["valid"] and info["orientable"] and info["connected"])
+        self.assertEqual(info["signature"], "cPcbbbihq")
+        self.assertEqual(info["homology"], "Z^2")
+        self.assertEqual(info["boundary"], [{"kind": "ideal", "genus": 2, "orientable": True, "euler": -2}])
+        self.assertEqual(len(info["group"]["generators"]), 2 + len(info["group"]["relators"]))
+
+    def test_defects_are_named(self):
+        # One tetrahedron, face 0 folded onto face 1 so that the edge 23 meets itself reversed (drawn by hand).
+        text = json.dumps({"format": "tetrarch-triangulation", "version": 1, "tetrahedra": 1,
+                           "gluings": [[[0, "1032"], [0, "1032"], None, None]]})
+        done = run("info", "-", "--json", stdin=text)
+        info = json.loads(done.stdout)
+        self.assertFalse(info["valid"])
+        self.assertIn("edge_reversed", [d["name"] for d in info["defects"]])
+        self.assertIsNone(info["homology"])
+
+
+class Convert(unittest.TestCase):
+    def test_round_trips(self):
+        with tempfile.TemporaryDirectory() as folder:
+            for name in ("a.json", "a.tri", "a.sig"):
+                path = os.path.join(folder, name)
+                self.assertEqual(run("convert", "cPcbbbiht", "-o", path).returncode, 0)
+                self.assertEqual(run_json("info", path)[1]["signature"], "cPcbbbiht", name)
+            first = os.path.join(folder, "a.json")
+            again = os.path.join(folder, "b.json")
+            run("convert", first, "-o", again)
+            with open(first, "rb") as f, open(again, "rb") as g:
+                self.assertEqual(f.read(), g.read())
+
+    def test_a_file_that_snappy_refuses_is_announced(self):
+        with tempfile.TemporaryDirectory() as folder:
+            done = run("convert", "cPcbbbihq", "-o", os.path.join(folder, "y.tri"))
+            self.assertEqual(done.returncode, 0)
+            self.assertIn("warning", done.stderr)
+            self.assertIn("genus 2", done.stderr)
+
+
+class Hyperbolize(unittest.TestCase):
+    def test_the_knotted_y_by_both_methods(self):
+        # Yin, 4.3.4: all dihedral angles 0.523599; the volume is that of two regular truncated tetrahedra (FMP 2004).
+        for method in ("newton", "flow"):
+            status, found = run_json("hyperbolize", "cPcbbbihq", "--method", method)
+            self.assertEqual((status, found["outcome"]), (0, "geometric"))
+            self.assertAlmostEqual(found["volume"], 6.451990270835, delta=1e-11)
+            for angles in found["dihedral_angles"]:
+                for angle in angles:
+                    self.assertAlmostEqual(angle, 0.5235987756, delta=1e-9)
+            self.assertLess(found["residual"], 1e-10)
+
+    def test_the_history_is_a_table_that_decreases(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "history.csv")
+            self.assertEqual(run("hyperbolize", "fmp3_100", "--method", "flow", "--history", path).returncode, 0)
+            with open(path) as lines:
+                header = lines.readline().strip().split(",")
+                column = header.index("squared_curvature")
+                values = [float(line.split(",")[column]) for line in lines]
+            self.assertGreater(len(values), 10)
+            self.assertTrue(all(a > b for a, b in zip(values, values[1:])))
+
+    def test_false_convergence_is_not_found(self):
+        status, found = run_json("hyperbolize", "dLQacccjcog")
+        self.assertEqual((status, found["outcome"]), (4, "not found"))
+
+    def test_a_metric_file_keeps_its_structure(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "y.json")
+            self.assertEqual(run("hyperbolize", "cPcbbbihq", "-o", path).returncode, 0)
+            with open(path) as f:
+                self.assertAlmostEqual(json.load(f)["metric"]["volume"], 6.451990270835, delta=1e-11)
+
+
+class Canonize(unittest.TestCase):
+    def test_isometric_to_itself_in_another_triangulation(self):
+        status, answer = run_json("isometric", "fmp3_17", "fmp3_17")
+        self.assertEqual((status, answer["isometric"]), (0, True))
+        self.assertIn("isometry", answer)
+
+    def test_different_manifolds_are_told_apart(self):
+        status, answer = run_json("isometric", "fmp2_1", "fmp2_2")
+        self.assertEqual((status, answer["isometric"]), (1, False))
+
+    def test_nothing_is_claimed_without_a_structure(self):
+        status, answer = run_json("isometric", "fmp2_1", "dLQacccjcog")
+        self.assertEqual((status, answer["isometric"]), (4, None))
+
+
+class Census(unittest.TestCase):
+    def test_validation(self):
+        # Frigerio-Martelli-Petronio 2004: 8 manifolds of one volume, 151 of 18 volumes, one of them with a cusp.
+        for tetrahedra, manifolds, volumes in ((2, 8, 1), (3, 151, 18)):
+            status, found = run_json("census", "validate", "--tetrahedra", str(tetrahedra))
+            self.assertEqual(status, 0)
+            self.assertEqual((found["manifolds"], found["distinct_volumes"]), (manifolds, volumes))
+            self.assertTrue(found["rebuilt"])
+            self.assertEqual(found["failures"], [])
+            self.assertLess(found["max_angle_error"], 1e-10)
+            self.assertLess(found["max_angle_error_flow"], 1e-9)
+            self.assertLess(found["max_volume_error"], 1e-9)
+
+    def test_rebuilt_tables_are_the_stored_files(self):
+        with tempfile.TemporaryDirectory() as folder:
+            for tetrahedra in (2, 3):
+                path = os.path.join(folder, "table.json")
+                run("census", "enumerate", "--tetrahedra", str(tetrahedra), "-o", path, "--threads", "1")
+                with open(path, "rb") as new, open(f"{SOURCE}/census/fmp{tetrahedra}.json", "rb") as old:
+                    self.assertEqual(new.read(), old.read())
+
+    def test_gluings_are_those_of_regina(self):
+        # Recorded: tricensus -t 3 -i -o -d -s (Regina 7.3), 378 signatures.
+        done = run("census", "gluings", "--tetrahedra", "3", "--orientable", "--ideal")
+        self.assertEqual(len(done.stdout.split()), 378)
+        one = run("census", "gluings", "--tetrahedra", "3", "--threads", "1")
+        two = run("census", "gluings", "--tetrahedra", "3", "--threads", "2")
+        self.assertEqual(one.stdout, two.stdout)
+
+    def test_enumerate_writes_an_object_a_line(self):
+        lines = run("census", "enumerate", "--tetrahedra", "2").stdout.splitlines()
+        self.assertEqual(len(lines), 8)
+        for line in lines:
+            entry = json.loads(line)
+            for field in ("signature", "volume", "boundary", "cusps", "homology", "cells", "name"):
+                self.assertIn(field, entry)
+
+    def test_show_and_list(self):
+        self.assertEqual(run_json("census", "show", "fmp3_151")[1]["name"], "fmp3_151")
+        self.assertEqual(len(run_json("census", "list")[1]["manifolds"]), 151)
+
+
+class BadInput(unittest.TestCase):
+    """Each: exit status 2, one line that names place and cause, nothing on standard output, nothing written."""
+
+    def refuse(self, content, *wanted, name="bad.json"):
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, name)
+            with open(path, "wb") as f:
+                f.write(content if isinstance(content, bytes) else content.encode())
+            done = run("convert", name, "-o", "out.json", cwd=folder)
+            self.assertEqual(done.returncode, 2, done.stderr)
+            self.assertEqual(done.stdout, "")
+            self.assertEqual(done.stderr.count("\n"), 1, done.stderr)
+            self.assertLess(len(done.stderr), 400)
+            for text in (name, *wanted):
+                self.assertIn(text, done.stderr)
+            self.assertEqual(os.listdir(folder), [name])
+
+    def document(self, gluings, **changes):
+        return json.dumps({"format": "tetrarch-triangulation", "version": 1, "tetrahedra": len(gluings),
+                           "gluings": gluings, **changes}, indent=1)
+
+    def test_an_empty_file(self):
+        self.refuse("", "empty")
+
+    def test_a_truncated_json(self):
+        self.refuse(self.document([[None] * 4])[:60])
+
+    def test_a_wrong_version(self):
+        self.refuse(self.document([[None] * 4], version=99), "99")
+
+    def test_a_face_glued_twice(self):
+        self.refuse(self.document([[[1, "0123"], None, None, None],
+                                   [[0, "0123"], [0, "1023"], None, None]]))
+
+    def test_a_permutation_that_is_none(self):
+        self.refuse(self.document([[[1, "0122"], None, None, None], [[0, "0122"], None, None, None]]), "0122")
+
+    def test_a_tetrahedron_out_of_range(self):
+        self.refuse(self.document([[[7, "0123"], None, None, None]]), "7")
+
+    def test_a_wrong_letter_in_a_signature(self):
+        self.refuse("cPcb!bihq\n", "'!'", name="bad.sig")
+        done = run("info", "cPcbb*ihq")
+        self.assertEqual(done.returncode, 2)
+        self.assertEqual(done.stderr.count("\n"), 1)
+
+    def test_a_snappea_file_cut_in_the_middle(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "m.tri")
+            run("convert", "cPcbbbiht", "-o", path)
+            with open(path) as f:
+                text = f.read()
+        self.refuse(text[:len(text) // 2], name="bad.tri")
+
+    def test_a_hundred_megabytes_of_zeros(self):
+        for zero in (b"\0", b"0"):
+            start = time.monotonic()
+            self.refuse(zero * 100_000_000)
+            self.assertLess(time.monotonic() - start, 20)
+
+    def test_no_such_file(self):
+        done = run("info", "no/such.file")
+        self.assertEqual((done.returncode, done.stderr.count("\n")), (2, 1))
+
+    def test_bad_usage(self):
+        for arguments in (["nonsense"], ["info"], ["census", "gluings", "--tetrahedra", "0"],
+                          ["census", "gluings", "--tetrahedra", "2", "--links", "x"],
+                          ["hyperbolize", "cPcbbbihq", "--method", "magic"], ["census", "show", "fmp9_1"],
+                          ["hyperbolize", "cPcbbbihq", "--history", "h.csv"],
+                          ["census", "validate", "--tetrahedra", "5"]):
+            done = run(*arguments)
+            self.assertEqual(done.returncode, 2, arguments)
+            self.assertEqual(done.stderr.count("\n"), 1, done.stderr)
+
+    def test_an_output_folder_that_does_not_exist(self):
+        done = run("convert", "cPcbbbiht", "-o", "/no/such/folder/a.json")
+        self.assertEqual((done.returncode, done.stderr.count("\n")), (2, 1))
+
+
+class Manners(unittest.TestCase):
+    def test_examples_work_as_typed(self):
+        with tempfile.TemporaryDirectory() as folder:
+            help_page = run("--help").stdout
+            names = [line.split()[0] for line in help_page.split("Subcommands:")[1].splitlines()
+                     if line.startswith("  ") and line[2] != " "]
+            self.assertIn("hyperbolize", names)
+            for name in names:
+                subs = [[name]] if name != "census" else [["census", s] for s in
+                                                          ("gluings", "enumerate", "validate", "list", "show")]
+                for sub in subs:
+                    example = run(*sub, "--help").stdout.split("Example:")[1].split()
+                    self.assertEqual(example[0], "tetrarch")
+                    done = run(*example[1:], cwd=folder)
+                    self.assertIn(done.returncode, (0, 1), (example, done.stderr))
+
+    def test_version_names_the_libraries(self):
+        done = run("--version")
+        self.assertEqual(done.returncode, 0)
+        for library in ("Boost", "Eigen", "GMP", "MPFR", "nlohmann-json", "CLI11"):
+            self.assertIn(library, done.stdout)
+
+    def test_an_interrupted_job_leaves_no_file(self):
+        with tempfile.TemporaryDirectory() as folder:
+            job = subprocess.Popen([PROGRAM, "census", "gluings", "--tetrahedra", "8", "-o", "out.txt"], cwd=folder,
+                                   stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+            time.sleep(1)
+            job.send_signal(signal.SIGINT)
+            job.communicate(timeout=60)
+            self.assertEqual(job.returncode, 130)
+            self.assertEqual(os.listdir(folder), [])
+
+    def test_threads_and_locale_change_nothing(self):
+        plain = run("hyperbolize", "fmp3_20", "--threads", "1").stdout
+        german = run("hyperbolize", "fmp3_20", "--threads", "2", env={**os.environ, "LC_ALL": "de_DE.UTF-8"}).stdout
+        self.assertEqual(plain, german)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=[sys.argv[0], *sys.argv[3:]])

@@ -1,0 +1,242 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "command.hpp"
+#include "text.hpp"
+
+#include "tetrarch/census/gluings.hpp"
+#include "tetrarch/census/validate.hpp"
+#include "tetrarch/core/error.hpp"
+
+#include <CLI/CLI.hpp>
+#include <chrono>
+#include <memory>
+
+namespace tetrarch::program {
+namespace {
+
+using census::Manifold;
+using census::Validation;
+
+Json manifold_json(const Manifold& m) {
+  Json j;
+  j["name"] = m.name.empty() ? Json() : Json(m.name);
+  j["tetrahedra"] = m.tetrahedra;
+  j["signature"] = m.signature;
+  j["volume"] = m.volume;
+  j["boundary"] = m.boundary;
+  j["cusps"] = m.cusps;
+  j["edges"] = m.edges;
+  j["homology"] = m.homology;
+  j["cells"] = m.cells;
+  j["canonical_signature"] = m.canonical_signature;
+  j["symmetries"] = m.symmetries;
+  j["dihedral_angles"] = m.dihedral_angles;
+  return j;
+}
+
+Json validation_json(const Validation& v, double seconds) {
+  Json j;
+  j["tetrahedra"] = v.tetrahedra;
+  j["rebuilt"] = v.rebuilt;
+  j["manifolds"] = v.manifolds;
+  j["distinct_volumes"] = v.volumes.size();
+  j["single_edge"] = v.single_edge;
+  j["cusped"] = v.cusped;
+  j["by_boundary"] = Json::object();
+  for (const auto& [boundary, n] : v.by_boundary) j["by_boundary"][boundary] = n;
+  j["volumes"] = Json::array();
+  for (const auto& volume : v.volumes)
+    j["volumes"].push_back({{"volume", volume.volume}, {"manifolds", volume.manifolds}});
+  j["gluings"] = v.tally.gluings;
+  j["geometric_gluings"] = v.tally.geometric;
+  j["max_angle_error"] = v.max_angle_error;
+  j["max_angle_error_flow"] = v.max_angle_error_flow;
+  j["max_volume_error"] = v.max_volume_error;
+  j["max_volume_error_flow"] = v.max_volume_error_flow;
+  j["failures"] = v.failures;
+  j["seconds"] = seconds;
+  return j;
+}
+
+std::string validation_text(const Validation& v, double seconds) {
+  std::string text =
+      "Census of " + std::to_string(v.tetrahedra) + (v.tetrahedra == 1 ? " tetrahedron\n" : " tetrahedra\n");
+  text += "\nRebuilt from nothing: " + counted(v.tally.gluings, "gluing") + ", " +
+          std::to_string(v.tally.geometric) + " geometric, " + counted(v.manifolds, "manifold") + "\n";
+  std::vector<std::pair<std::string, std::string>> rows;
+  for (const auto& [boundary, n] : v.by_boundary)
+    rows.emplace_back("  boundary " + boundary, counted(n, "manifold"));
+  rows.emplace_back("  one edge class", counted(v.single_edge, "manifold"));
+  rows.emplace_back("  with a cusp", counted(v.cusped, "manifold"));
+  rows.emplace_back("  the stored table",
+                    v.rebuilt ? "came out again, byte for byte" : "DID NOT come out again");
+  text += block(rows) + "\n" + counted(static_cast<long long>(v.volumes.size()), "volume") + ":\n";
+  rows.clear();
+  for (const auto& volume : v.volumes)
+    rows.emplace_back("  " + volume.volume.substr(0, volume.volume.find('.') + 13),
+                      counted(volume.manifolds, "manifold"));
+  text += block(rows) + "\nSolved again from length 1, against the stored 30 digits:\n";
+  text += block({{"  Newton", "worst angle error " + scientific(v.max_angle_error, 1) +
+                                  ", worst volume error " + scientific(v.max_volume_error, 1)},
+                 {"  flow", "worst angle error " + scientific(v.max_angle_error_flow, 1) +
+                                ", worst volume error " + scientific(v.max_volume_error_flow, 1)}});
+  text += "\n";
+  for (const std::string& failure : v.failures) text += "FAILED  " + failure + "\n";
+  return text + (v.failures.empty() ? "Nothing failed. " : "") + fixed(seconds, 2) + " seconds\n";
+}
+
+Result run_validation(int tetrahedra, const Context& context) {
+  const auto start = std::chrono::steady_clock::now();
+  const Validation v = census::validate(tetrahedra, context.threads, context.progress);
+  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  Result result;
+  result.json = validation_json(v, seconds);
+  result.text = validation_text(v, seconds);
+  if (!v.failures.empty()) result.status = Status::proved_no;
+  return result;
+}
+
+void add_tetrahedra(CLI::App& app, int& tetrahedra, bool required) {
+  auto* option = app.add_option("--tetrahedra", tetrahedra, "how many")
+                     ->check(CLI::Range(1, census::max_gluing_tetrahedra));
+  if (required)
+    option->required();
+  else
+    option->capture_default_str();
+}
+
+/// The stored table, or an error that says which there are.
+std::vector<Manifold> require_table(int tetrahedra) {
+  std::vector<Manifold> table = census::stored_table(tetrahedra);
+  if (!table.empty()) return table;
+  std::vector<std::string> stored;
+  for (const int n : census::stored_tables()) stored.push_back(std::to_string(n));
+  throw InputError("no census table of " + std::to_string(tetrahedra) + " tetrahedra is stored (stored: " +
+                   (stored.empty() ? "none" : joined(stored, ", ")) + ")");
+}
+
+} // namespace
+
+Run declare_census_gluings(CLI::App& app) {
+  struct Options {
+    census::GluingOptions gluings;
+    bool orientable = false;
+    bool nonorientable = false;
+    std::string links;
+    std::string output;
+  };
+  const auto options = std::make_shared<Options>();
+  add_tetrahedra(app, options->gluings.tetrahedra, true);
+  auto* orientable = app.add_flag("--orientable", options->orientable, "orientable gluings only");
+  app.add_flag("--nonorientable", options->nonorientable, "non-orientable gluings only")
+      ->excludes(orientable);
+  app.add_flag("--ideal", options->gluings.ideal, "at least one vertex link is no sphere");
+  app.add_option("--links", options->links,
+                 "every vertex link is among these: genera (0 the sphere), nK for K crosscaps");
+  app.add_option("--min-valence", options->gluings.min_valence, "no edge class of smaller valence")
+      ->check(CLI::Range(1, 72));
+  app.add_flag("--allow-invalid", options->gluings.allow_invalid,
+               "let edges be identified with themselves reversed");
+  app.add_option("-o,--output", options->output, "write the signatures to a file");
+  return [options](const Context& context) {
+    using Orientability = census::GluingOptions::Orientability;
+    census::GluingOptions gluings = options->gluings;
+    gluings.threads = context.threads;
+    if (options->orientable) gluings.orientability = Orientability::orientable;
+    if (options->nonorientable) gluings.orientability = Orientability::nonorientable;
+    if (!options->links.empty()) gluings.links = census::parse_link_set(options->links);
+    const std::vector<std::string> signatures = census::gluing_signatures(gluings, context.progress);
+    std::string lines;
+    for (const std::string& s : signatures) lines += s + "\n";
+    Result result;
+    result.json = {{"count", signatures.size()}, {"signatures", signatures}};
+    result.text = lines;
+    if (!options->output.empty()) {
+      result.text = counted(static_cast<long long>(signatures.size()), "gluing") + " written to " +
+                    options->output + "\n";
+      result.json.erase("signatures");
+      result.files.push_back({options->output, lines});
+    }
+    return result;
+  };
+}
+
+Run declare_census_enumerate(CLI::App& app) {
+  const auto tetrahedra = std::make_shared<int>(3);
+  const auto output = std::make_shared<std::string>();
+  add_tetrahedra(app, *tetrahedra, true);
+  app.add_option("-o,--output", *output, "write a census table (the format of census/*.json)");
+  return [tetrahedra, output](const Context& context) {
+    const auto found = census::classify_manifolds(*tetrahedra, context.threads, context.progress);
+    Result result;
+    if (output->empty())
+      for (const Manifold& m : found.manifolds) result.text += manifold_json(m).dump() + "\n";
+    else {
+      result.files.push_back({*output, census::write_table(*tetrahedra, found.manifolds)});
+      result.text = counted(static_cast<long long>(found.manifolds.size()), "manifold") + " written to " +
+                    *output + "\n";
+    }
+    if (found.tally.stuck > 0)
+      result.warnings.push_back(counted(found.tally.stuck, "structure") +
+                                " without a canonical decomposition left out");
+    if (found.tally.flat > 0)
+      result.warnings.push_back(counted(found.tally.flat, "manifold") +
+                                " with flat faces told apart by 60 digits, not by proof");
+    return result;
+  };
+}
+
+Run declare_census_validate(CLI::App& app) {
+  const auto tetrahedra = std::make_shared<int>(3);
+  add_tetrahedra(app, *tetrahedra, false);
+  return [tetrahedra](const Context& context) {
+    require_table(*tetrahedra);
+    return run_validation(*tetrahedra, context);
+  };
+}
+
+Run declare_census_list(CLI::App& app) {
+  const auto tetrahedra = std::make_shared<int>(3);
+  add_tetrahedra(app, *tetrahedra, false);
+  return [tetrahedra](const Context&) {
+    Result result;
+    result.json = {{"tetrahedra", *tetrahedra}, {"manifolds", Json::array()}};
+    std::vector<std::pair<std::string, std::string>> rows;
+    for (const Manifold& m : require_table(*tetrahedra)) {
+      result.json["manifolds"].push_back(manifold_json(m));
+      rows.emplace_back(m.name, m.volume.substr(0, m.volume.find('.') + 13) + "  " + m.boundary_text() +
+                                    "  " + m.homology + "  " + m.signature);
+    }
+    result.text = block(rows);
+    return result;
+  };
+}
+
+Run declare_census_show(CLI::App& app) {
+  const auto name = std::make_shared<std::string>();
+  app.add_option("NAME", *name, "for instance fmp3_17")->required();
+  return [name](const Context&) {
+    const auto found = census::find_by_name(*name);
+    if (!found) throw InputError("no census manifold is called " + tetrarch::quoted(*name));
+    const Manifold& m = *found;
+    Result result;
+    result.json = manifold_json(m);
+    std::vector<std::pair<std::string, std::string>> rows{
+        {"name", m.name},
+        {"tetrahedra", std::to_string(m.tetrahedra)},
+        {"signature", m.signature},
+        {"volume", m.volume},
+        {"boundary", m.boundary_text()},
+        {"edge classes", std::to_string(m.edges)},
+        {"homology", m.homology},
+        {"canonical cells", joined(m.cells, ", ")},
+        {"isometry signature", m.canonical_signature},
+        {"isometry group", "order " + std::to_string(m.symmetries)}};
+    for (std::size_t t = 0; t < m.dihedral_angles.size(); ++t)
+      for (int e = 0; e < 6; ++e)
+        rows.emplace_back(e == 0 ? "angles " + std::to_string(t) : "", m.dihedral_angles[t][e]);
+    result.text = block(rows);
+    return result;
+  };
+}
+
+} // namespace tetrarch::program

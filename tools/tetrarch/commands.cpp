@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "command.hpp"
+
+namespace tetrarch::program {
+
+const std::vector<Command>& commands() {
+  static const std::vector<Command> table{
+      {"info", "sizes, validity, orientability, vertex links, boundary, homology, group, signature",
+       "tetrarch info cPcbbbihq", declare_info},
+      {"convert", "between all triangulation formats", "tetrarch convert cPcbbbiht -o figure8.tri",
+       declare_convert},
+      {"hyperbolize", "the structure with geodesic boundary and cusps, by Newton's method or Luo's flow",
+       "tetrarch hyperbolize cPcbbbihq", declare_hyperbolize},
+      {"canonize", "canonical cells, isometry signature and isometry group", "tetrarch canonize fmp3_1",
+       declare_canonize},
+      {"isometric", "decide whether two manifolds are isometric", "tetrarch isometric cPcbbbihq fmp2_1",
+       declare_isometric},
+      {"census gluings", "all closed gluings of N tetrahedra up to isomorphism, as signatures, one a line",
+       "tetrarch census gluings --tetrahedra 2 --orientable --ideal", declare_census_gluings},
+      {"census enumerate", "classify the manifolds of N tetrahedra from nothing, one JSON object a line",
+       "tetrarch census enumerate --tetrahedra 2", declare_census_enumerate},
+      {"census validate", "rebuild a stored table from nothing and solve its manifolds again",
+       "tetrarch census validate --tetrahedra 2", declare_census_validate},
+      {"census list", "the manifolds of a stored table", "tetrarch census list --tetrahedra 2",
+       declare_census_list},
+      {"census show", "everything stored about one manifold", "tetrarch census show fmp3_17",
+       declare_census_show},
+  };
+  return table;
+}
+
+} // namespace tetrarch::program

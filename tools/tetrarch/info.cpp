@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "command.hpp"
+#include "input.hpp"
+#include "text.hpp"
+
+#include "tetrarch/algebra/group.hpp"
+#include "tetrarch/algebra/homology.hpp"
+#include "tetrarch/core/boundary.hpp"
+#include "tetrarch/core/check.hpp"
+#include "tetrarch/core/signature.hpp"
+
+#include <CLI/CLI.hpp>
+#include <memory>
+
+namespace tetrarch::program {
+namespace {
+
+Json boundary_json(const std::vector<BoundaryComponent>& components) {
+  Json list = Json::array();
+  for (const BoundaryComponent& b : components)
+    list.push_back({{"kind", b.kind == BoundaryComponent::Kind::ideal ? "ideal" : "real"},
+                    {"genus", b.type.genus()},
+                    {"orientable", b.type.orientable},
+                    {"euler", b.type.euler}});
+  return list;
+}
+
+std::string boundary_text(const std::vector<BoundaryComponent>& components) {
+  std::vector<std::string> items;
+  for (const BoundaryComponent& b : components)
+    items.push_back(b.type.str() + (b.kind == BoundaryComponent::Kind::ideal ? " (ideal)" : " (real)"));
+  return items.empty() ? "none" : joined(items, ", ");
+}
+
+Json defects_json(const std::vector<Defect>& defects, const Skeleton& skeleton) {
+  Json list = Json::array();
+  for (const Defect& d : defects) list.push_back({{"name", d.name()}, {"where", describe(d, skeleton)}});
+  return list;
+}
+
+Json group_json(const algebra::Presentation& group) {
+  Json json{{"generators", Json::array()}, {"relators", Json::array()}};
+  for (int g = 0; g < group.generators; ++g)
+    json["generators"].push_back(algebra::word_str({g + 1}, group.generators));
+  for (const algebra::Word& r : group.relators)
+    json["relators"].push_back(algebra::word_str(r, group.generators));
+  return json;
+}
+
+Result info(const format::Document& document, const Context& context) {
+  const Triangulation& tri = document.triangulation;
+  const Skeleton skeleton(tri);
+  const std::vector<Defect> defects = check(skeleton);
+  const auto boundary = boundary_components(tri, skeleton);
+  const bool valid = defects.empty();
+  const bool has_group = valid && tri.size() > 0 && skeleton.is_connected();
+  const std::string homology = valid ? algebra::homology(tri, skeleton, 1).str() : "";
+  algebra::Presentation group;
+  if (has_group)
+    group = simplified(algebra::dual_presentation(tri, skeleton).presentation, {}, context.progress);
+  const std::string sig = signature(tri);
+
+  Result result;
+  Json& j = result.json;
+  if (!document.name.empty()) j["name"] = document.name;
+  j["tetrahedra"] = tri.size();
+  j["faces"] = skeleton.face_count();
+  j["edges"] = skeleton.edge_count();
+  j["vertices"] = skeleton.vertex_count();
+  j["valid"] = valid;
+  j["defects"] = defects_json(defects, skeleton);
+  j["orientable"] = skeleton.is_orientable();
+  j["connected"] = skeleton.is_connected();
+  j["signature"] = sig;
+  j["homology"] = valid ? Json(homology) : Json();
+  j["boundary"] = boundary_json(boundary);
+  j["group"] = has_group ? group_json(group) : Json();
+
+  std::vector<std::pair<std::string, std::string>> rows;
+  if (!document.name.empty()) rows.emplace_back("name", document.name);
+  rows.insert(rows.end(), {{"tetrahedra", std::to_string(tri.size())},
+                           {"faces", std::to_string(skeleton.face_count())},
+                           {"edges", std::to_string(skeleton.edge_count())},
+                           {"vertices", std::to_string(skeleton.vertex_count())},
+                           {"valid", valid ? "yes" : "no"}});
+  for (const Defect& d : defects) rows.emplace_back("", describe(d, skeleton));
+  rows.emplace_back("orientable", skeleton.is_orientable() ? "yes" : "no");
+  if (!skeleton.is_connected()) rows.emplace_back("components", std::to_string(skeleton.component_count()));
+  rows.emplace_back("boundary", boundary_text(boundary));
+  if (valid) rows.emplace_back("homology", homology);
+  if (has_group) rows.emplace_back("group", group.str());
+  rows.emplace_back("signature", sig);
+  result.text = block(rows);
+  return result;
+}
+
+} // namespace
+
+Run declare_info(CLI::App& app) {
+  const auto input = std::make_shared<std::string>();
+  app.add_option("X", *input, "a triangulation")->required();
+  return [input](const Context& context) { return info(read_triangulation(*input), context); };
+}
+
+} // namespace tetrarch::program

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "text.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+
+namespace tetrarch::program {
+namespace {
+
+std::string formatted(double x, std::chars_format format, int decimals) {
+  std::array<char, 400> buffer{};
+  const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), x, format, decimals);
+  return {buffer.data(), end.ptr};
+}
+
+} // namespace
+
+std::string block(const std::vector<std::pair<std::string, std::string>>& rows) {
+  std::size_t width = 0;
+  for (const auto& row : rows) width = std::max(width, row.first.size());
+  std::string text;
+  for (const auto& [name, value] : rows)
+    text += name + std::string(width - name.size() + 2, ' ') + value + "\n";
+  return text;
+}
+
+std::string fixed(double x, int decimals) {
+  return formatted(x, std::chars_format::fixed, decimals);
+}
+std::string scientific(double x, int decimals) {
+  return formatted(x, std::chars_format::scientific, decimals);
+}
+
+std::string joined(const std::vector<std::string>& items, const std::string& separator) {
+  std::string text;
+  for (std::size_t k = 0; k < items.size(); ++k) text += (k > 0 ? separator : "") + items[k];
+  return text;
+}
+
+std::string counted(long long n, const std::string& noun) {
+  return std::to_string(n) + " " + noun + (n == 1 ? "" : "s");
+}
+
+} // namespace tetrarch::program

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "version.hpp"
+
+#include <CLI/Version.hpp>
+#include <Eigen/Core>
+#include <boost/version.hpp>
+#include <gmp.h>
+#include <mpfr.h>
+#include <nlohmann/json.hpp>
+
+namespace tetrarch::program {
+namespace {
+
+std::string dotted(int a, int b, int c) {
+  return std::to_string(a) + "." + std::to_string(b) + "." + std::to_string(c);
+}
+
+} // namespace
+
+std::string version_text() {
+  return "tetrarch " TETRARCH_VERSION " (" TETRARCH_BUILD_TYPE ")\n"
+         "Boost " +
+         dotted(BOOST_VERSION / 100000, BOOST_VERSION / 100 % 1000, BOOST_VERSION % 100) + ", Eigen " +
+         dotted(EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION) + ", GMP " + gmp_version +
+         ", MPFR " + mpfr_get_version() + ", nlohmann-json " +
+         dotted(NLOHMANN_JSON_VERSION_MAJOR, NLOHMANN_JSON_VERSION_MINOR, NLOHMANN_JSON_VERSION_PATCH) +
+         ", CLI11 " CLI11_VERSION;
+}
+
+} // namespace tetrarch::program
