@@ -3,8 +3,8 @@
 
 #include "tetrarch/core/error.hpp"
 
+#include <algorithm>
 #include <numeric>
-#include <unordered_map>
 
 namespace tetrarch {
 namespace {
@@ -17,12 +17,12 @@ int find(std::vector<int>& parent, int x) {
 } // namespace
 
 Skeleton::Skeleton(const Triangulation& tri) : tets_(tri.size()), revision_(tri.revision()) {
-  component_count_ = components(tri).count;
-  orientable_ = orientation(tri).has_value();
+  find_components(tri);
   find_faces(tri);
   find_edges(tri);
   find_vertices(tri);
-  classify_links(tri);
+  count_edge_ends();
+  if (boundary_faces_ > 0) count_boundary_curves();
 }
 
 void Skeleton::require_current(const Triangulation& tri) const {
@@ -31,8 +31,8 @@ void Skeleton::require_current(const Triangulation& tri) const {
 }
 
 std::span<const TetFace> Skeleton::preimages(FaceId f) const {
-  const FacePair& pair = faces_[f.value];
-  return {pair.side.data(), static_cast<std::size_t>(pair.count)};
+  const auto& side = faces_[f.value];
+  return {side.data(), side[1].tet < 0 ? 1U : 2U};
 }
 
 std::span<const Walk> Skeleton::around(EdgeId e) const {
@@ -50,6 +50,34 @@ std::pair<VertexId, VertexId> Skeleton::ends(EdgeId e) const {
   return {vertex({w.tet, w.from()}), vertex({w.tet, w.to()})};
 }
 
+/// Counts components and tries to orient them, in one flood (`components` and `orientation` would be two).
+/// Breadth first: a front keeps to tetrahedra that are near each other in memory too, a stack does not.
+void Skeleton::find_components(const Triangulation& tri) {
+  std::vector<std::int8_t> sign(index(tets_, 1), 0);
+  std::vector<int> queue;
+  queue.reserve(sign.size());
+  for (int root = 0; root < tets_; ++root) {
+    if (sign[root] != 0) continue;
+    ++component_count_;
+    sign[root] = 1;
+    queue.push_back(root);
+    for (std::size_t next = queue.size() - 1; next < queue.size(); ++next) {
+      const int t = queue[next];
+      for (int f = 0; f < 4; ++f) {
+        const Gluing g = tri.gluing({t, f});
+        if (g.tet < 0) continue;
+        const int wanted = -g.perm.sign() * sign[t];
+        if (sign[g.tet] == 0) {
+          sign[g.tet] = static_cast<std::int8_t>(wanted);
+          queue.push_back(g.tet);
+        } else if (sign[g.tet] != wanted) {
+          orientable_ = false;
+        }
+      }
+    }
+  }
+}
+
 void Skeleton::find_faces(const Triangulation& tri) {
   face_of_.assign(index(tets_, 4), -1);
   faces_.reserve(index(tets_, 2) + 16);
@@ -59,13 +87,13 @@ void Skeleton::find_faces(const Triangulation& tri) {
       const int id = static_cast<int>(faces_.size());
       face_of_[index(t, 4) + f] = id;
       if (tri.is_boundary({t, f})) {
-        faces_.push_back({{TetFace{t, f}, TetFace{}}, 1});
+        faces_.push_back({TetFace{t, f}, TetFace{}});
         ++boundary_faces_;
         continue;
       }
       const TetFace g = tri.partner({t, f});
       face_of_[index(g.tet, 4) + g.face] = id;
-      faces_.push_back({{TetFace{t, f}, g}, 2});
+      faces_.push_back({TetFace{t, f}, g});
     }
   }
 }
@@ -79,31 +107,38 @@ void Skeleton::find_edges(const Triangulation& tri) {
       if (edge_of_[index(t, 6) + e] < 0) add_edge(tri, {t, e});
 }
 
-/// Walks right until home or the boundary, then left over the whole class. On the way home a class that is
-/// identified with itself backwards shows itself: the first t-edge is met with its ends exchanged.
+/// Walks left until home or the boundary; from the boundary, what lies to the right of the start is walked
+/// too and put in front. On the way home a class that is identified with itself backwards shows itself: the
+/// first t-edge is met with its ends exchanged.
 void Skeleton::add_edge(const Triangulation& tri, TetEdge first) {
   const auto [a, b] = edge_vertex[first.edge];
   const Walk start{first.tet, edge_frame(a, b)};
   std::uint8_t flags = 0;
   Walk w = start;
-  while (true) {
-    if (!w.step_right(tri)) {
-      flags |= boundary_flag;
-      break;
-    }
-    if (w.edge() != first) continue;
-    if (w.from() != a) flags |= reversed_flag;
-    w = start;
-    break;
-  }
-  const TetEdge home = w.edge();
-  const int id = static_cast<int>(edge_flags_.size());
+  bool glued = true;
   do {
-    edge_of_[index(w.tet, 6) + w.edge().edge] = 2 * id + (w.from() < w.to() ? 0 : 1);
-    edge_walks_.push_back(w);
-  } while (w.step_left(tri) && w.edge() != home);
+    append_walk(w);
+    glued = w.step_left(tri);
+  } while (glued && w.edge() != first);
+  if (!glued) {
+    flags = boundary_flag;
+    const std::size_t begin = static_cast<std::size_t>(edge_start_.back());
+    const std::size_t middle = edge_walks_.size();
+    for (w = start; w.step_right(tri);) append_walk(w);
+    std::reverse(edge_walks_.begin() + begin, edge_walks_.begin() + middle);
+    std::reverse(edge_walks_.begin() + begin, edge_walks_.end());
+  } else if (w.from() != a) {
+    flags = reversed_flag;
+  }
   edge_flags_.push_back(flags);
   edge_start_.push_back(static_cast<int>(edge_walks_.size()));
+}
+
+/// Adds a t-edge to the class under construction.
+void Skeleton::append_walk(const Walk& w) {
+  const int id = static_cast<int>(edge_flags_.size());
+  edge_of_[index(w.tet, 6) + w.edge().edge] = 2 * id + (w.from() < w.to() ? 0 : 1);
+  edge_walks_.push_back(w);
 }
 
 void Skeleton::find_vertices(const Triangulation& tri) {
@@ -113,24 +148,53 @@ void Skeleton::find_vertices(const Triangulation& tri) {
   for (int t = 0; t < tets_; ++t) {
     for (int v = 0; v < 4; ++v) {
       if (vertex_of_[index(t, 4) + v] >= 0) continue;
-      const int id = static_cast<int>(vertex_start_.size()) - 1;
-      std::size_t next = vertex_preimages_.size();
-      vertex_of_[index(t, 4) + v] = id;
+      const int id = static_cast<int>(links_.size());
+      vertex_of_[index(t, 4) + v] = 2 * id;
       vertex_preimages_.push_back({t, v});
-      while (next < vertex_preimages_.size()) {
-        const TetVertex at = vertex_preimages_[next++];
-        for (int f = 0; f < 4; ++f) {
-          if (f == at.vertex) continue;
-          const Gluing g = tri.gluing({at.tet, f});
-          if (g.tet < 0) continue;
-          int& other = vertex_of_[index(g.tet, 4) + g.perm[at.vertex]];
-          if (other >= 0) continue;
-          other = id;
-          vertex_preimages_.push_back({g.tet, g.perm[at.vertex]});
-        }
-      }
+      flood_link(tri);
       vertex_start_.push_back(static_cast<int>(vertex_preimages_.size()));
     }
+  }
+  for (int& code : vertex_of_) code /= 2;
+}
+
+/// Floods the link of the last t-vertex found, orients it on the way and counts its triangles and sides.
+/// While the flood lasts, `vertex_of_` holds 2 * class + (0 or 1: a turning sense of the triangle): one place
+/// in memory to look up instead of two. An odd gluing carries a sense along, because a triangle's own sense
+/// is its tetrahedron's handedness.
+void Skeleton::flood_link(const Triangulation& tri) {
+  SurfaceType link{0, 0, true};
+  const std::size_t first = vertex_preimages_.size() - 1;
+  int sides = 0; // a glued side is met twice, a boundary side counts as two at once
+  std::size_t next = first;
+  for (; next < vertex_preimages_.size(); ++next) {
+    const TetVertex at = vertex_preimages_[next];
+    const int here = vertex_of_[index(at.tet, 4) + at.vertex];
+    for (int f = 0; f < 4; ++f) {
+      if (f == at.vertex) continue;
+      const Gluing g = tri.gluing({at.tet, f});
+      sides += g.tet < 0 ? 2 : 1;
+      if (g.tet < 0) continue;
+      const int wanted = here ^ (g.perm.sign() < 0 ? 0 : 1);
+      int& there = vertex_of_[index(g.tet, 4) + g.perm[at.vertex]];
+      if (there < 0) {
+        there = wanted;
+        vertex_preimages_.push_back({g.tet, g.perm[at.vertex]});
+      } else if (there != wanted) {
+        link.orientable = false;
+      }
+    }
+  }
+  link.euler = static_cast<int>(next - first) - sides / 2;
+  links_.push_back(link);
+}
+
+/// The vertices of the links are the ends of edge classes; a reversed edge has one end only.
+void Skeleton::count_edge_ends() {
+  for (const EdgeId e : all<EdgeId>(edge_count())) {
+    const auto [p, q] = ends(e);
+    ++links_[p.value].euler;
+    if (!is_reversed(e)) ++links_[q.value].euler;
   }
 }
 
@@ -142,61 +206,36 @@ int Skeleton::edge_end(TetVertex at, int towards) const {
   return 2 * e.value + (runs_along({at.tet, at.vertex, towards}) ? 0 : 1);
 }
 
-/// Counts the cells of every link (its vertices are edge ends, its sides corners of faces), and orients it by
-/// flooding.
-void Skeleton::classify_links(const Triangulation& tri) {
-  const int count = vertex_count();
-  std::vector<int> cells(static_cast<std::size_t>(count), 0); // 2 * euler
-  links_.assign(static_cast<std::size_t>(count), SurfaceType{0, 0, true});
-  for (int e = 0; e < edge_count(); ++e) {
-    const auto [p, q] = ends(EdgeId(e));
-    cells[p.value] += 2;
-    if (!is_reversed(EdgeId(e))) cells[q.value] += 2;
-  }
+/// The corners of boundary faces are the boundary sides of links; joined at their ends they make the curves.
+void Skeleton::count_boundary_curves() {
   std::vector<int> curve(index(edge_count(), 2));
   std::iota(curve.begin(), curve.end(), 0);
-  std::vector<int> curve_vertex(curve.size(), -1);
-  std::vector<std::int8_t> sign(vertex_of_.size(), 0);
-  for (int v = 0; v < count; ++v) {
-    const auto triangles = preimages(VertexId(v));
-    cells[v] += 2 * static_cast<int>(triangles.size());
-    sign[index(triangles[0].tet, 4) + triangles[0].vertex] = 1;
-    for (const TetVertex& at : triangles) { // in the order of the flood, so a predecessor has set the sign
-      const int here = sign[index(at.tet, 4) + at.vertex];
-      for (int f = 0; f < 4; ++f) {
-        if (f == at.vertex) continue;
-        const Gluing g = tri.gluing({at.tet, f});
-        if (g.tet < 0) {
-          cells[v] -= 2;
-          int x = 0;
-          while (x == f || x == at.vertex) ++x;
-          const int y = 6 - f - at.vertex - x;
-          const int a = find(curve, edge_end(at, x));
-          const int b = find(curve, edge_end(at, y));
-          curve_vertex[a] = curve_vertex[b] = v;
-          curve[a] = b;
-          continue;
-        }
-        cells[v] -= 1;
-        // A triangle's own turning sense is that of its tetrahedron's handedness at this vertex: an odd
-        // gluing keeps it.
-        const int wanted = g.perm.sign() < 0 ? here : -here;
-        std::int8_t& there = sign[index(g.tet, 4) + g.perm[at.vertex]];
-        if (there == 0) there = static_cast<std::int8_t>(wanted);
-        if (there != wanted) links_[v].orientable = false;
-      }
+  std::vector<int> link_at(curve.size(), -1); // of the ends on the boundary
+  for (const auto& [face, partner] : faces_) {
+    if (partner.tet >= 0) continue;
+    for (const int v : face_vertex[face.face]) {
+      const int c = face_corner(face.face, v);
+      const TetVertex at{face.tet, v};
+      const int a = edge_end(at, face_vertex[face.face][(c + 1) % 3]);
+      const int b = edge_end(at, face_vertex[face.face][(c + 2) % 3]);
+      link_at[a] = link_at[b] = vertex(at).value;
+      curve[find(curve, a)] = find(curve, b);
     }
-    links_[v].euler = cells[v] / 2;
   }
   for (std::size_t x = 0; x < curve.size(); ++x)
-    if (curve_vertex[x] >= 0 && curve[x] == static_cast<int>(x)) ++links_[curve_vertex[x]].boundary_curves;
+    if (link_at[x] >= 0 && curve[x] == static_cast<int>(x)) ++links_[link_at[x]].boundary_curves;
 }
 
 TriangulatedSurface vertex_link(const Triangulation& tri, const Skeleton& skeleton, VertexId v) {
   skeleton.require_current(tri);
   const auto at = skeleton.preimages(v);
-  std::unordered_map<int, int> triangle;
-  for (std::size_t k = 0; k < at.size(); ++k) triangle[4 * at[k].tet + at[k].vertex] = static_cast<int>(k);
+  std::vector<std::pair<TetVertex, int>> triangle;
+  triangle.reserve(at.size());
+  for (std::size_t k = 0; k < at.size(); ++k) triangle.emplace_back(at[k], static_cast<int>(k));
+  std::sort(triangle.begin(), triangle.end());
+  const auto triangle_at = [&](TetVertex w) {
+    return std::lower_bound(triangle.begin(), triangle.end(), std::pair(w, 0))->second;
+  };
   TriangulatedSurface link(static_cast<int>(at.size()));
   for (std::size_t k = 0; k < at.size(); ++k) {
     const auto [t, u] = at[k];
@@ -205,7 +244,7 @@ TriangulatedSurface vertex_link(const Triangulation& tri, const Skeleton& skelet
       const Gluing g = tri.gluing({t, f});
       std::array<int, 3> corner{};
       for (int c = 0; c < 3; ++c) corner[c] = face_corner(g.perm[u], g.perm[face_vertex[u][c]]);
-      link.glue(static_cast<int>(k), face_corner(u, f), triangle.at(4 * g.tet + g.perm[u]), corner);
+      link.glue(static_cast<int>(k), face_corner(u, f), triangle_at({g.tet, g.perm[u]}), corner);
     }
   }
   return link;

@@ -9,9 +9,14 @@
 namespace tetrarch {
 namespace {
 
+/// Each thread takes revisions in blocks: enumerations glue and unglue many millions of times, and one
+/// counter shared by every glue would make threads wait for each other.
 std::uint64_t fresh_revision() {
-  static std::atomic<std::uint64_t> last{0};
-  return ++last;
+  constexpr std::uint64_t block = 1 << 20;
+  static std::atomic<std::uint64_t> taken{1};
+  thread_local std::uint64_t next = 0;
+  if (next % block == 0) next = taken++ * block;
+  return next++;
 }
 
 std::string name(TetFace f) {
@@ -35,8 +40,8 @@ void Triangulation::require_valid(TetFace f) const {
 }
 
 void Triangulation::glue(TetFace f, int other, Perm4 p) {
+  require_valid(f); // before p is asked about it
   const TetFace g{other, p[f.face]};
-  require_valid(f);
   require_valid(g);
   if (f == g) throw PreconditionError(name(f) + " cannot be glued to itself");
   for (const TetFace h : {f, g})
@@ -91,6 +96,20 @@ Triangulation component(const Triangulation& tri, const Components& parts, int c
     }
   }
   return part;
+}
+
+std::vector<Triangulation> split(const Triangulation& tri, const Components& parts) {
+  std::vector<Triangulation> out(static_cast<std::size_t>(parts.count));
+  std::vector<int> image(static_cast<std::size_t>(tri.size()), -1);
+  for (int t = 0; t < tri.size(); ++t) image[t] = out[parts.of[t]].add_tetrahedra();
+  for (int t = 0; t < tri.size(); ++t) {
+    Triangulation& part = out[parts.of[t]];
+    for (int f = 0; f < 4; ++f) {
+      const Gluing g = tri.gluing({t, f});
+      if (g.tet >= 0 && part.is_boundary({image[t], f})) part.glue({image[t], f}, image[g.tet], g.perm);
+    }
+  }
+  return out;
 }
 
 std::optional<std::vector<int>> orientation(const Triangulation& tri) {

@@ -77,11 +77,15 @@ private:
   static constexpr std::uint8_t reversed_flag = 2;
   static std::size_t index(int tet, int width) { return static_cast<std::size_t>(tet) * width; }
 
+  void find_components(const Triangulation& tri);
   void find_faces(const Triangulation& tri);
   void find_edges(const Triangulation& tri);
   void add_edge(const Triangulation& tri, TetEdge first);
+  void append_walk(const Walk& w);
   void find_vertices(const Triangulation& tri);
-  void classify_links(const Triangulation& tri);
+  void flood_link(const Triangulation& tri);
+  void count_edge_ends();
+  void count_boundary_curves();
   int edge_end(TetVertex at, int towards) const;
 
   int tets_;
@@ -89,11 +93,7 @@ private:
   std::vector<int> face_of_;
   std::vector<int> edge_of_; ///< 2 * class + (0 if the t-edge from its smaller vertex runs along, else 1)
   std::vector<int> vertex_of_;
-  struct FacePair {
-    std::array<TetFace, 2> side;
-    int count;
-  };
-  std::vector<FacePair> faces_;
+  std::vector<std::array<TetFace, 2>> faces_; ///< the second one with tet -1 on the boundary
   std::vector<int> edge_start_;
   std::vector<Walk> edge_walks_;
   std::vector<std::uint8_t> edge_flags_;
@@ -107,7 +107,7 @@ private:
 
 /// The link of v: triangle k sits at t-vertex `skeleton.preimages(v)[k]`; its corner c lies on the t-edge to
 /// the c-th of the other three t-vertices (in increasing order), its side c in the face opposite that
-/// t-vertex. O(size of the link).
+/// t-vertex. O(k log k) for k triangles.
 TriangulatedSurface vertex_link(const Triangulation& tri, const Skeleton& skeleton, VertexId v);
 
 } // namespace tetrarch

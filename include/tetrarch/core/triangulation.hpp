@@ -71,6 +71,8 @@ struct Components {
 Components components(const Triangulation& tri);
 /// The triangulation made of the tetrahedra of component c, in their old order. O(n).
 Triangulation component(const Triangulation& tri, const Components& parts, int c);
+/// All components; the c-th is `component(tri, parts, c)`. O(n) in all.
+std::vector<Triangulation> split(const Triangulation& tri, const Components& parts);
 
 /// +1 or -1 per tetrahedron such that every gluing between equally handed tetrahedra is odd and every other
 /// one even; the first tetrahedron of each component gets +1. Nothing if some component is not orientable.
