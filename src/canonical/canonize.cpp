@@ -16,7 +16,8 @@ namespace {
 using hyperbolic::Hyperbolization;
 using hyperbolic::Real50;
 
-/// Below this a 60-digit tilt counts as zero: solutions are refined to 1e-45, conditioning takes a few digits.
+/// Below this a 60-digit tilt counts as zero: solutions are refined to 1e-45, conditioning takes a few
+/// digits.
 constexpr double high_precision_margin = 1e-30;
 
 /// The sign of x where |x| exceeds the margin, else 0.
@@ -48,7 +49,8 @@ std::optional<Hyperbolization<Real50>> solve_precisely(const Triangulation& tri)
   return hyperbolic::refine<Real50>(skeleton, structure);
 }
 
-/// Which geometric move mends a concave face, with the corners and the inner product of the edge that it makes.
+/// Which geometric move mends a concave face, with the corners and the inner product of the edge that it
+/// makes.
 template <class Scalar>
 struct Mend {
   moves::Ball ball;
@@ -57,7 +59,8 @@ struct Mend {
   Scalar product{0};
 };
 
-/// The move for the concave face f, if there is one. `doubtful` is set where a sign that matters is within the margin.
+/// The move for the concave face f, if there is one. `doubtful` is set where a sign that matters is within
+/// the margin.
 template <class Scalar>
 std::optional<Mend<Scalar>> mend(const Decorated<Scalar>& m, TetFace f, const Across<Scalar>& across,
                                  double margin, bool& doubtful) {
@@ -132,7 +135,8 @@ Walked mend_all(Decorated<Scalar>& m, double margin, int& budget, const Progress
   }
 }
 
-/// A few random 2-3 moves, each followed by whatever 3-2 moves chance picks: another triangulation of the same manifold.
+/// A few random 2-3 moves, each followed by whatever 3-2 moves chance picks: another triangulation of the
+/// same manifold.
 Triangulation shaken(Triangulation tri, std::mt19937_64& random) {
   const auto below = [&random](int n) { return static_cast<int>(random() % static_cast<std::uint64_t>(n)); };
   const int wanted = 2 + below(4);
@@ -179,7 +183,8 @@ void name_cells(Canonical& out) {
   out.isometry_signature = signature(out.canonical_triangulation);
 }
 
-/// One attempt from one solved triangulation: in double precision, and in high precision where a sign is in doubt.
+/// One attempt from one solved triangulation: in double precision, and in high precision where a sign is in
+/// doubt.
 bool attempt(const Triangulation& tri, const Hyperbolization<double>& structure,
              const CanonizeOptions& options, const Progress& progress, Canonical& out) {
   Decorated<double> m = decorate(tri, structure);
@@ -209,11 +214,16 @@ Canonical canonize(const Triangulation& tri, const Hyperbolization<double>& stru
   Canonical out;
   bool done = attempt(tri, structure, options, progress, out);
   std::mt19937_64 random(options.seed);
+  Triangulation last = tri; // the walk goes on from the last geometric triangulation that has not grown much
+  const int largest = tri.size() + 8;
   while (!done && out.restarts < options.restarts) {
     ++out.restarts;
-    const Triangulation other = shaken(tri, random);
+    progress.step("changing the triangulation");
+    Triangulation other = shaken(last, random);
     const auto solved = hyperbolic::hyperbolize(other, Skeleton(other));
-    if (solved.outcome == hyperbolic::Outcome::geometric) done = attempt(other, solved, options, progress, out);
+    if (solved.outcome != hyperbolic::Outcome::geometric) continue;
+    done = attempt(other, solved, options, progress, out);
+    if (other.size() <= largest) last = std::move(other);
   }
   if (!done) return out;
   out.outcome = Canonical::Outcome::canonical;
@@ -231,7 +241,9 @@ IsometryAnswer compare(const Canonical& a, const Canonical& b) {
     if (m->outcome != Canonical::Outcome::canonical)
       return {Verdict::undecided, "no canonical decomposition was found within the budget", {}};
     if (m->has_flat_faces)
-      return {Verdict::undecided, "a face of the canonical decomposition is flat to 30 digits, which is not a proof", {}};
+      return {Verdict::undecided,
+              "a face of the canonical decomposition is flat to 30 digits, which is not a proof",
+              {}};
   }
   auto isometry = find_isomorphism(a.canonical_triangulation, b.canonical_triangulation);
   if (isometry)
