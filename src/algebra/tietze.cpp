@@ -1,0 +1,378 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "tietze.hpp"
+
+#include <algorithm>
+#include <array>
+#include <bitset>
+#include <cstdint>
+#include <cstdlib>
+#include <optional>
+#include <unordered_map>
+
+namespace tetrarch::algebra {
+namespace {
+
+/// Below this total length a presentation may always grow: what is printed on two lines needs no thrift.
+constexpr long long small_length = 100;
+
+int generator_of(int letter) {
+  return std::abs(letter) - 1;
+}
+
+/// The place of a letter in the order a < A < b < B < ...
+int rank_of(int letter) {
+  return 2 * std::abs(letter) + (letter < 0 ? 1 : 0);
+}
+
+bool precedes(const Word& a, const Word& b) {
+  if (a.size() != b.size()) return a.size() < b.size();
+  return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end(),
+                                      [](int x, int y) { return rank_of(x) < rank_of(y); });
+}
+
+/// The start of the least rotation, by the two-candidates method: of two starts that agree on k letters, the
+/// one that then loses drags the next k starts with it.
+std::size_t least_start(const Word& w) {
+  const std::size_t n = w.size();
+  std::size_t i = 0;
+  std::size_t j = 1;
+  std::size_t k = 0;
+  while (i < n && j < n && k < n) {
+    const int a = rank_of(w[(i + k) % n]);
+    const int b = rank_of(w[(j + k) % n]);
+    if (a == b) {
+      ++k;
+      continue;
+    }
+    (a > b ? i : j) += k + 1;
+    if (i == j) ++j;
+    k = 0;
+  }
+  return std::min(i, j);
+}
+
+Word rotated(const Word& w, std::size_t start) {
+  Word out(w);
+  std::rotate(out.begin(), out.begin() + static_cast<std::ptrdiff_t>(start), out.end());
+  return out;
+}
+
+/// Generator `generator` occurs once in relator `relator`; expressing it by the others makes the presentation
+/// longer by `growth`.
+struct Choice {
+  int relator;
+  int generator;
+  long long growth;
+};
+
+class Tietze {
+public:
+  Tietze(const Presentation& p, const TietzeOptions& options, const Progress& progress);
+  Presentation run();
+
+private:
+  bool spend(std::size_t letters) {
+    return (letters_ += static_cast<long long>(letters)) <= options_.max_letters;
+  }
+  bool spent() const { return letters_ > options_.max_letters; }
+  std::vector<int> by_length() const;
+  void replace(int relator, Word word);
+
+  bool eliminate_pass();
+  bool eliminate_with_growth(long long limit);
+  std::optional<Choice> best_generator(int relator);
+  void eliminate(Choice choice);
+
+  bool shorten_pass();
+  bool shorten_others_by(int relator);
+  Presentation result() const;
+
+  const TietzeOptions& options_;
+  const Progress& progress_;
+  std::vector<Word> relators_;
+  std::vector<std::vector<int>> where_; ///< per generator, a superset of the relators that contain it
+  std::vector<long long> count_;        ///< per generator, its letters in all relators
+  std::vector<char> gone_;              ///< per generator
+  std::vector<int> changed_;            ///< per relator, the last pass of shortening before which it changed
+  int pass_ = 0;
+  std::vector<int> occurs_; ///< scratch: letters per generator, all 0 between uses
+  long long length_ = 0;
+  long long letters_ = 0;
+};
+
+Tietze::Tietze(const Presentation& p, const TietzeOptions& options, const Progress& progress)
+    : options_(options), progress_(progress), relators_(p.relators.size()),
+      where_(static_cast<std::size_t>(p.generators)), count_(where_.size(), 0), gone_(where_.size(), 0),
+      changed_(relators_.size(), 0), occurs_(where_.size(), 0) {
+  for (std::size_t r = 0; r < relators_.size(); ++r) replace(static_cast<int>(r), p.relators[r]);
+}
+
+void Tietze::replace(int relator, Word word) {
+  Word& old = relators_[relator];
+  for (const int letter : old) --count_[generator_of(letter)];
+  for (const int letter : word) {
+    const int g = generator_of(letter);
+    ++count_[g];
+    if (where_[g].empty() || where_[g].back() != relator) where_[g].push_back(relator);
+  }
+  length_ += static_cast<long long>(word.size()) - static_cast<long long>(old.size());
+  old = std::move(word);
+  changed_[relator] = pass_;
+}
+
+std::vector<int> Tietze::by_length() const {
+  std::vector<int> order;
+  for (std::size_t r = 0; r < relators_.size(); ++r)
+    if (!relators_[r].empty()) order.push_back(static_cast<int>(r));
+  std::stable_sort(order.begin(), order.end(),
+                   [&](int a, int b) { return relators_[a].size() < relators_[b].size(); });
+  return order;
+}
+
+/// Among the generators that occur once in the relator, one whose elimination costs least.
+std::optional<Choice> Tietze::best_generator(int relator) {
+  const Word& word = relators_[relator];
+  spend(word.size());
+  for (const int letter : word) ++occurs_[generator_of(letter)];
+  std::optional<Choice> best;
+  const auto length = static_cast<long long>(word.size());
+  for (const int letter : word) {
+    const int g = generator_of(letter);
+    if (occurs_[g] != 1) continue;
+    const long long growth = (count_[g] - 1) * (length - 2) - length;
+    if (!best || growth < best->growth) best = Choice{relator, g, growth};
+  }
+  for (const int letter : word) occurs_[generator_of(letter)] = 0;
+  return best;
+}
+
+/// u g v = 1 says g = U V = the inverse of v u.
+void Tietze::eliminate(Choice choice) {
+  const Word relator = relators_[choice.relator];
+  std::size_t at = 0;
+  while (generator_of(relator[at]) != choice.generator) ++at;
+  Word rest = rotated(relator, at);
+  const bool inverted = rest[0] < 0;
+  rest.erase(rest.begin());
+  const Word for_letter = inverted ? rest : inverse(rest);
+  const Word for_inverse = inverse(for_letter);
+
+  replace(choice.relator, {});
+  gone_[choice.generator] = 1;
+  const std::vector<int> places = std::move(where_[choice.generator]);
+  where_[choice.generator].clear();
+  for (const int r : places) {
+    Word word;
+    bool met = false;
+    for (const int letter : relators_[r]) {
+      if (generator_of(letter) != choice.generator) {
+        word.push_back(letter);
+        continue;
+      }
+      met = true;
+      const Word& by = letter > 0 ? for_letter : for_inverse;
+      word.insert(word.end(), by.begin(), by.end());
+    }
+    spend(word.size());
+    if (met) replace(r, cyclically_reduced(word));
+  }
+}
+
+/// All eliminations that make nothing longer, shortest relator first.
+bool Tietze::eliminate_pass() {
+  bool any = false;
+  for (const int r : by_length()) {
+    if (relators_[r].empty() || spent()) continue;
+    progress_.step("simplify the group");
+    const std::optional<Choice> choice = best_generator(r);
+    if (!choice || choice->growth > 0) continue;
+    eliminate(*choice);
+    any = true;
+  }
+  return any;
+}
+
+/// The one elimination that adds least, if the length stays within the limit.
+bool Tietze::eliminate_with_growth(long long limit) {
+  std::optional<Choice> best;
+  for (const int r : by_length()) {
+    if (spent()) return false;
+    const std::optional<Choice> choice = best_generator(r);
+    if (choice && (!best || choice->growth < best->growth)) best = choice;
+  }
+  if (!best || length_ + best->growth > limit) return false;
+  eliminate(*best);
+  return true;
+}
+
+/// A window that rolls round a cyclic word, and its hash.
+class RollingHash {
+public:
+  /// The window that starts at letter 0. `width` is at most the word's length.
+  RollingHash(const Word& word, std::size_t width) : word_(word), end_(width % word.size()) {
+    for (std::size_t k = 0; k < width; ++k) {
+      hash_ = hash_ * base + digit(word[k]);
+      if (k > 0) top_ *= base;
+    }
+  }
+  std::uint64_t value() const { return hash_; }
+  /// On to the window that starts one letter further on.
+  void roll() {
+    hash_ = (hash_ - digit(word_[start_]) * top_) * base + digit(word_[end_]);
+    if (++start_ == word_.size()) start_ = 0;
+    if (++end_ == word_.size()) end_ = 0;
+  }
+
+private:
+  static constexpr std::uint64_t base = 0x9E3779B97F4A7C15U; // any odd number with well mixed bits serves
+  static std::uint64_t digit(int letter) { return static_cast<std::uint64_t>(rank_of(letter)); }
+  const Word& word_;
+  std::size_t start_ = 0;
+  std::size_t end_;
+  std::uint64_t hash_ = 0;
+  std::uint64_t top_ = 1;
+};
+
+/// All windows of one width in a cyclic word and its inverse, by hash. Hashes are compared first, letters
+/// always, so a collision can hide a match but not invent one.
+class Windows {
+public:
+  Windows(const Word& word, std::size_t width) : width_(width), text_{word, inverse(word)} {
+    index_.reserve(2 * word.size());
+    for (int side = 0; side < 2; ++side) {
+      RollingHash window(text_[side], width);
+      for (std::size_t i = 0; i < word.size(); ++i, window.roll()) {
+        if (!index_.try_emplace(window.value(), Place{side, i}).second) continue;
+        filter_[filter_slot(window.value())] = true;
+      }
+    }
+  }
+
+  /// The cyclic word after its first match was replaced by what it equals in the group, or nothing.
+  std::optional<Word> shortened(const Word& word) const {
+    RollingHash window(word, width_);
+    for (std::size_t i = 0; i < word.size(); ++i, window.roll()) {
+      if (!filter_[filter_slot(window.value())]) continue;
+      const auto found = index_.find(window.value());
+      if (found == index_.end()) continue;
+      const std::size_t length = match_length(word, i, found->second);
+      if (length < width_) continue;
+      const Word& text = text_[found->second.side];
+      Word rest; // the relator without the letters that match
+      for (std::size_t k = length; k < text.size(); ++k)
+        rest.push_back(text[(found->second.start + k) % text.size()]);
+      Word out = inverse(rest);
+      for (std::size_t k = length; k < word.size(); ++k) out.push_back(word[(i + k) % word.size()]);
+      return cyclically_reduced(out);
+    }
+    return std::nullopt;
+  }
+
+private:
+  struct Place {
+    int side;
+    std::size_t start;
+  };
+  static std::size_t filter_slot(std::uint64_t hash) { return static_cast<std::size_t>(hash >> 52U); }
+  std::size_t match_length(const Word& word, std::size_t i, Place at) const {
+    const Word& text = text_[at.side];
+    const std::size_t limit = std::min(text.size(), word.size());
+    std::size_t length = 0;
+    while (length < limit && word[(i + length) % word.size()] == text[(at.start + length) % text.size()])
+      ++length;
+    return length;
+  }
+
+  std::size_t width_;
+  std::array<Word, 2> text_;
+  std::unordered_map<std::uint64_t, Place> index_; // looked up, never walked through: its order plays no role
+  std::bitset<4096> filter_;                       // most windows of other words end here
+};
+
+bool Tietze::shorten_others_by(int relator) {
+  const Word by = relators_[relator];
+  const std::size_t width = by.size() / 2 + 1;
+  const bool fresh = changed_[relator] >= pass_ - 1;
+  std::optional<Windows> windows;
+  bool any = false;
+  for (std::size_t s = 0; s < relators_.size() && !spent(); ++s) {
+    if (static_cast<int>(s) == relator || relators_[s].size() < width) continue;
+    if (!fresh && changed_[s] < pass_ - 1) continue;
+    if (!windows && spend(4 * by.size())) windows.emplace(by, width);
+    while (windows && relators_[s].size() >= width && spend(relators_[s].size())) {
+      auto word = windows->shortened(relators_[s]);
+      if (!word) break;
+      replace(static_cast<int>(s), std::move(*word));
+      any = true;
+    }
+  }
+  return any;
+}
+
+bool Tietze::shorten_pass() {
+  ++pass_;
+  bool any = false;
+  for (const int r : by_length()) {
+    if (spent()) break;
+    progress_.step("simplify the group");
+    if (!relators_[r].empty() && shorten_others_by(r)) any = true;
+  }
+  return any;
+}
+
+Presentation Tietze::run() {
+  std::optional<long long> limit;
+  while (!spent()) {
+    if (eliminate_pass() || shorten_pass()) continue;
+    if (!limit) {
+      const auto grown = static_cast<long long>(options_.max_growth * static_cast<double>(length_));
+      limit = std::max(small_length, std::min(grown, options_.max_length));
+    }
+    if (!eliminate_with_growth(*limit)) break;
+  }
+  return result();
+}
+
+Presentation Tietze::result() const {
+  Presentation out;
+  std::vector<int> number(gone_.size(), 0);
+  for (std::size_t g = 0; g < gone_.size(); ++g)
+    if (!gone_[g]) number[g] = ++out.generators;
+  for (const Word& relator : relators_) {
+    if (relator.empty()) continue;
+    Word word;
+    for (const int letter : relator) word.push_back(letter > 0 ? number[letter - 1] : -number[-letter - 1]);
+    out.relators.push_back(least_rotation(word));
+  }
+  std::sort(out.relators.begin(), out.relators.end(), precedes);
+  out.relators.erase(std::unique(out.relators.begin(), out.relators.end()), out.relators.end());
+  return out;
+}
+
+} // namespace
+
+Word inverse(const Word& word) {
+  Word out(word.rbegin(), word.rend());
+  for (int& letter : out) letter = -letter;
+  return out;
+}
+
+Word least_rotation(const Word& word) {
+  const Word turned = inverse(word);
+  Word a = rotated(word, least_start(word));
+  Word b = rotated(turned, least_start(turned));
+  return precedes(b, a) ? b : a;
+}
+
+Presentation tietze_reduced(const Presentation& presentation, const TietzeOptions& options,
+                            const Progress& progress) {
+  return Tietze(presentation, options, progress).run();
+}
+
+Presentation simplified(const Presentation& presentation, const TietzeOptions& options,
+                        const Progress& progress) {
+  require_letters(presentation);
+  return tietze_reduced(without_short_relators(presentation), options, progress);
+}
+
+} // namespace tetrarch::algebra

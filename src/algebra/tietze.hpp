@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+/// The stages of `simplified`, from the cheapest to the dearest. Each takes and returns a presentation of the
+/// same group.
+
+#include "tetrarch/algebra/group.hpp"
+
+namespace tetrarch::algebra {
+
+/// Removes generators that a relator equates to 1, to another generator or to its inverse, until no relator
+/// of length 1 or 2 is left but squares g g. Relators come out cyclically reduced and not empty; generators
+/// keep their order. Linear for the first kind, one pass over the rest for every level of consequences for
+/// the other.
+Presentation without_short_relators(const Presentation& presentation);
+
+/// The rest of what `simplified` promises.
+Presentation tietze_reduced(const Presentation& presentation, const TietzeOptions& options,
+                            const Progress& progress);
+
+/// The least word, in the order a < A < b < B < ..., among all rotations of a cyclically reduced word and of
+/// its inverse. O(length).
+Word least_rotation(const Word& word);
+Word inverse(const Word& word);
+
+/// Throws PreconditionError if some letter names no generator. O(length).
+void require_letters(const Presentation& presentation);
+
+} // namespace tetrarch::algebra

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "naive_algebra.hpp"
+
+#include "tetrarch/algebra/abelian_group.hpp"
+#include "tetrarch/algebra/smith.hpp"
+#include "tetrarch/core/error.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <array>
+
+using namespace tetrarch;
+using namespace tetrarch::algebra;
+using naive::Dense;
+using support::Random;
+
+namespace {
+
+SmithForm smith(const Dense& m) {
+  return smith_normal_form(naive::sparse(m));
+}
+
+Dense transposed(const Dense& m) {
+  Dense out(m[0].size(), std::vector<Integer>(m.size()));
+  for (std::size_t i = 0; i < m.size(); ++i)
+    for (std::size_t j = 0; j < m[0].size(); ++j) out[j][i] = m[i][j];
+  return out;
+}
+
+} // namespace
+
+TEST_CASE("Smith forms by hand", "[smith]") {
+  // By hand: the gcd of the entries 2 and 3 is 1, the determinant 6.
+  CHECK(smith({{2, 0}, {0, 3}}) == SmithForm{1, {6}});
+  // By hand: entries' gcd 2, minors' gcd 12 (for instance 2*6+4*6 = 36, 2*12+4*6 = 48), determinant -144.
+  CHECK(smith({{2, 4, 4}, {-6, 6, 12}, {10, -4, -16}}) == SmithForm{0, {2, 6, 12}});
+  // By hand: rank one, gcd of the entries 3.
+  CHECK(smith({{6, 9}, {-12, -18}, {0, 0}}) == SmithForm{0, {3}});
+  // By hand: 4 and 6 alone in their rows and columns: gcd 2, lcm 12, beside a unit and a zero.
+  CHECK(smith({{0, 4, 0, 0}, {6, 0, 0, 0}, {0, 0, 0, -1}}) == SmithForm{1, {2, 12}});
+  CHECK(smith_normal_form(SparseMatrix(0, 0)) == SmithForm{});
+  CHECK(smith_normal_form(SparseMatrix(3, 0)) == SmithForm{});
+  CHECK(smith_normal_form(SparseMatrix(3, 5)) == SmithForm{});
+}
+
+TEST_CASE("entries given twice add up", "[smith]") {
+  SparseMatrix m(1, 2);
+  for (const int value : {1, 1, 1}) m.add(0, 1, value);
+  m.add(0, 0, 5);
+  m.add(0, 0, -5);
+  CHECK(smith_normal_form(m) == SmithForm{0, {3}}); // by hand: the matrix (0 3)
+  CHECK_THROWS_AS(m.add(1, 0, 1), PreconditionError);
+  CHECK_THROWS_AS(m.add(0, 2, 1), PreconditionError);
+  CHECK_THROWS_AS(SparseMatrix(-1, 2), PreconditionError);
+}
+
+TEST_CASE("the Smith form is that of the determinantal divisors", "[smith]") {
+  Random random(1);
+  for (int round = 0; round < 400; ++round) {
+    const std::array<int, 4> draw{random.below(4), random.below(5), random.below(70), random.below(9)};
+    const Dense m = naive::random_dense(1 + draw[0], 1 + draw[1], 30 + draw[2], 1 + draw[3], random);
+    INFO("round " << round);
+    CHECK(smith(m) == naive::smith_by_minors(m));
+  }
+}
+
+TEST_CASE("sparse and dense elimination agree", "[smith]") {
+  Random random(2);
+  for (int round = 0; round < 150; ++round) {
+    const Integer size = round % 3 == 0 ? 1 : round % 3 == 1 ? 6 : 1000;
+    const std::array<int, 3> draw{random.below(16), random.below(16), random.below(60)};
+    const Dense m = naive::random_dense(1 + draw[0], 1 + draw[1], 10 + draw[2], size, random);
+    INFO("round " << round);
+    CHECK(smith(m) == naive::smith_dense(m));
+    CHECK(smith(transposed(m)) == smith(m));
+  }
+}
+
+TEST_CASE("numbers beyond a machine word", "[smith]") {
+  Random random(3);
+  const Integer word = Integer(1) << 62;
+  for (int round = 0; round < 40; ++round) {
+    // Entries that fit into 63 bits but whose products do not, entries that do not fit, and a mixture.
+    const Integer size = round % 3 == 0 ? word : round % 3 == 1 ? Integer(word * word) : Integer(1000000000);
+    const std::array<int, 2> draw{random.below(6), random.below(6)};
+    const Dense m = naive::random_dense(2 + draw[0], 2 + draw[1], 80, size, random);
+    INFO("round " << round);
+    CHECK(smith(m) == naive::smith_dense(m));
+  }
+  // The smallest machine integer has no absolute value there.
+  const Integer least = -(Integer(1) << 63);
+  CHECK(smith({{least, 0}, {0, least}}) == SmithForm{0, {Integer(-least), Integer(-least)}});
+  CHECK(smith({{1, 1}, {Integer(-(least + 1)), Integer(least + 1)}}) ==
+        SmithForm{1, {Integer(-2 * (least + 1))}}); // the determinant
+}
+
+TEST_CASE("a common factor comes out of every invariant factor", "[smith]") {
+  Random random(4);
+  for (const Integer& factor : {Integer(7), Integer(1) << 100}) {
+    Dense m = naive::random_dense(12, 9, 40, 3, random);
+    const SmithForm before = smith(m);
+    for (auto& row : m)
+      for (Integer& x : row) x *= factor;
+    std::vector<Integer> expected(static_cast<std::size_t>(before.units), factor);
+    for (const Integer& f : before.factors) expected.push_back(factor * f);
+    CHECK(smith(m) == SmithForm{0, expected});
+  }
+}
+
+TEST_CASE("a long chain of small numbers makes a large one", "[smith]") {
+  // The matrix with 3 on the diagonal and -1, -1 beside it has the determinant F(2n+2) (Fibonacci numbers, by
+  // expansion: D(n) = 3 D(n-1) - D(n-2), D(0) = 1, D(1) = 3), and n-1 units because of its off-diagonal.
+  const int n = 200;
+  SparseMatrix m(n, n);
+  for (int i = 0; i < n; ++i) {
+    m.add(i, i, 3);
+    if (i > 0) m.add(i, i - 1, -1);
+    if (i + 1 < n) m.add(i, i + 1, -1);
+  }
+  Integer a = 1;
+  Integer b = 3;
+  for (int i = 1; i < n; ++i) {
+    const Integer next = 3 * b - a;
+    a = b;
+    b = next;
+  }
+  CHECK(smith_normal_form(m) == SmithForm{n - 1, {b}});
+}
+
+TEST_CASE("abelian groups are written in one way", "[abelian]") {
+  CHECK(AbelianGroup().str() == "0");
+  CHECK(AbelianGroup(1).str() == "Z");
+  CHECK(AbelianGroup(2, {3}).str() == "Z^2 + Z/3");
+  CHECK(AbelianGroup(0, {4, 2}).str() == "Z/2 + Z/4");
+  CHECK(AbelianGroup(1, {1, 2, 3, 1}).str() == "Z + Z/6");
+  CHECK(AbelianGroup(0, {1, 1}).is_trivial());
+  CHECK_THROWS_AS(AbelianGroup(-1), PreconditionError);
+  CHECK_THROWS_AS(AbelianGroup(0, {2, 0}), PreconditionError);
+}
+
+TEST_CASE("Z/a + Z/b is Z/gcd + Z/lcm, and order does not matter", "[abelian]") {
+  for (int a = 1; a <= 24; ++a)
+    for (int b = 1; b <= 24; ++b) {
+      const Integer common = gcd(Integer(a), Integer(b));
+      CHECK(AbelianGroup(0, {a, b}) == AbelianGroup(0, {common, a * b / common}));
+      CHECK(AbelianGroup(0, {a, b, 12}) == AbelianGroup(0, {12, b, a}));
+    }
+  Random random(5);
+  for (int round = 0; round < 100; ++round) {
+    std::vector<Integer> orders;
+    for (int i = 0; i < 6; ++i) orders.push_back(1 + random.below(60));
+    const auto factors = invariant_factors(orders);
+    Integer product = 1;
+    for (const Integer& order : orders) product *= order;
+    for (std::size_t i = 0; i < factors.size(); ++i) {
+      product /= factors[i];
+      CHECK((factors[i] > 1 && (i == 0 || factors[i] % factors[i - 1] == 0)));
+    }
+    CHECK(product == 1);
+  }
+}
