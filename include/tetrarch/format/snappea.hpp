@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+/// SnapPea's triangulation files (`.tri`), which SnapPy and Regina read.
+///
+///     % Triangulation
+///     figure eight                             the name, one line
+///     geometric_solution  2.02988321           how far SnapPea got, and the volume
+///     oriented_manifold                        or nonorientable_manifold, unknown_orientability
+///     CS_unknown                               or CS_known and a number
+///     1 0                                      torus cusps, Klein bottle cusps
+///         torus   0.0   0.0                    per cusp: its kind and its Dehn filling; 0 0 is a complete
+///         cusp
+///     2                                        tetrahedra
+///       1 1 1 1                                per tetrahedron: who lies across faces 0, 1, 2, 3
+///       0132 1230 2310 2103                    by which permutations
+///       0 0 0 0                                the cusp at each vertex, -1 for a finite one
+///       ...                                    64 integers: meridian and longitude, each on two sheets
+///       0.5 0.866                              the shape
+///
+/// Faces, vertices and permutations mean what they mean here. (SnapPea's edge e is our 5 - e, but no edge
+/// number stands in the file.) Solution, volume, orientability, invariant and shapes are for people: SnapPea
+/// computes them anew, and so they are checked and dropped. White space is free after the second line.
+/// Source: Weeks, "SnapPea Triangulation File Format" (1997), an annotated example.
+
+#include "tetrarch/format/document.hpp"
+
+#include <string>
+#include <string_view>
+
+namespace tetrarch::format {
+
+inline constexpr std::string_view snappea_header = "% Triangulation";
+/// Stands for no name, as SnapPea cannot read an empty one.
+inline constexpr std::string_view snappea_no_name = "unnamed";
+
+/// The gluings and the name. Peripheral curves are dropped; a Dehn filling is dropped with a warning, for the
+/// document then is the unfilled manifold. Throws InputError with the line where the text ends too early, is
+/// not as above, goes on after the last tetrahedron, or states gluings that cannot be. O(length).
+Document read_snappea(std::string_view text, const std::string& source);
+
+/// The text, not solved, with no cusp stated: SnapPea finds them and chooses peripheral curves. Warns about
+/// each vertex link that is neither sphere, torus nor Klein bottle (SnapPy refuses such a file; Regina reads
+/// it), about a manifold without cusps, reversed edges, several components, and a name that does not fit on a
+/// line. Throws InputError where there is a boundary face or no tetrahedron: the format has no way to say so.
+/// O(n).
+Written write_snappea(const Document& document);
+
+} // namespace tetrarch::format

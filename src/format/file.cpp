@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Reading and writing whole files, by POSIX calls: streams cannot tell why something failed.
+#include "tetrarch/format/text.hpp"
+
+#include <atomic>
+#include <cerrno>
+#include <fcntl.h>
+#include <filesystem>
+#include <sys/stat.h>
+#include <system_error>
+#include <unistd.h>
+
+namespace tetrarch::format {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string reason(int error) {
+  return std::generic_category().message(error);
+}
+
+[[noreturn]] void fail(const std::string& path, const std::string& what) {
+  throw InputError(Place{source_name(path), 0}, what);
+}
+
+/// An open file that closes itself.
+class Descriptor {
+public:
+  explicit Descriptor(int fd) : fd_(fd) {}
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+  ~Descriptor() {
+    if (fd_ > STDIN_FILENO) ::close(fd_);
+  }
+  int get() const { return fd_; }
+  /// 0, or the errno of a close that failed: some file systems report a full disk only now.
+  int close() {
+    const int result = ::close(fd_);
+    fd_ = -1;
+    return result == 0 ? 0 : errno;
+  }
+
+private:
+  int fd_;
+};
+
+/// 0 or an errno.
+int write_all(int fd, std::string_view content) {
+  while (!content.empty()) {
+    const ssize_t done = ::write(fd, content.data(), content.size());
+    if (done < 0 && errno == EINTR) continue;
+    if (done < 0) return errno;
+    content.remove_prefix(static_cast<std::size_t>(done));
+  }
+  return 0;
+}
+
+void write_directly(const std::string& path, std::string_view content) {
+  Descriptor file(::open(path.c_str(), O_WRONLY | O_CLOEXEC));
+  if (file.get() < 0) fail(path, "cannot be written: " + reason(errno));
+  const int error = write_all(file.get(), content);
+  if (error != 0) fail(path, "cannot be written: " + reason(error));
+}
+
+/// Removes what lies beside the target unless it was renamed into place.
+class Beside {
+public:
+  explicit Beside(const std::string& target) {
+    static std::atomic<unsigned> count{0};
+    name_ = target + "." + std::to_string(::getpid()) + "-" + std::to_string(++count) + ".part";
+  }
+  Beside(const Beside&) = delete;
+  Beside& operator=(const Beside&) = delete;
+  ~Beside() {
+    if (!name_.empty()) ::unlink(name_.c_str());
+  }
+  const std::string& name() const { return name_; }
+  void keep() { name_.clear(); }
+
+private:
+  std::string name_;
+};
+
+} // namespace
+
+std::string source_name(const std::string& path) {
+  return path == "-" ? "standard input" : path;
+}
+
+std::string read_file(const std::string& path, std::size_t limit) {
+  const bool standard_input = path == "-";
+  const Descriptor file(standard_input ? STDIN_FILENO : ::open(path.c_str(), O_RDONLY | O_CLOEXEC));
+  if (file.get() < 0) {
+    if (errno == ENOENT) fail(path, "there is no such file");
+    fail(path, "cannot be read: " + reason(errno));
+  }
+  struct stat about {};
+  if (::fstat(file.get(), &about) == 0 && S_ISDIR(about.st_mode))
+    fail(path, "is a directory, expected a file");
+  std::string content;
+  constexpr std::size_t chunk = std::size_t{1} << 20;
+  std::size_t size = 0;
+  for (;;) {
+    content.resize(size + chunk);
+    const ssize_t got = ::read(file.get(), content.data() + size, chunk);
+    if (got < 0 && errno == EINTR) continue;
+    if (got < 0) fail(path, "cannot be read: " + reason(errno));
+    if (got == 0) break;
+    size += static_cast<std::size_t>(got);
+    if (size > limit) fail(path, "is longer than " + std::to_string(limit) + " bytes");
+  }
+  content.resize(size);
+  return content;
+}
+
+void write_file_atomically(const std::string& path, std::string_view content) {
+  std::error_code ignored;
+  const fs::file_status status = fs::status(path, ignored);
+  if (fs::is_directory(status)) fail(path, "is a directory, expected a file to write");
+  if (fs::exists(status) && !fs::is_regular_file(status)) return write_directly(path, content);
+  // Behind a link that dangles there is nothing to resolve yet; weakly_canonical still follows it.
+  const bool is_link = fs::is_symlink(fs::symlink_status(path, ignored));
+  const std::string target = is_link ? fs::weakly_canonical(path, ignored).string() : path;
+  if (target.empty()) fail(path, "cannot be written: the link leads nowhere");
+
+  Beside beside(target);
+  Descriptor file(::open(beside.name().c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
+  if (file.get() < 0) fail(path, "cannot be written: " + reason(errno));
+  struct stat about {};
+  if (::stat(target.c_str(), &about) == 0) ::fchmod(file.get(), about.st_mode & 07777U);
+  int error = write_all(file.get(), content);
+  if (error == 0 && ::fsync(file.get()) != 0) error = errno;
+  const int close_error = file.close();
+  if (error == 0) error = close_error;
+  if (error == 0 && ::rename(beside.name().c_str(), target.c_str()) != 0) error = errno;
+  if (error != 0) fail(path, "cannot be written: " + reason(error));
+  beside.keep();
+}
+
+} // namespace tetrarch::format

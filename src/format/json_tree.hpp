@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+/// JSON text to a tree, one pass, with the suspicion that files deserve.
+///
+/// The tree is built from the events of nlohmann's parser rather than by its own builder, because that one
+/// keeps the last of two equal keys, knows no depth limit and rounds long numbers. The gluings never enter
+/// the tree: as JSON values they would take some 700 bytes per tetrahedron, in a table they take 32.
+
+#include "gluing_table.hpp"
+
+#include "tetrarch/format/document.hpp"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace tetrarch::format {
+
+/// A way down from the root: member names, and positions in arrays.
+struct JsonStep {
+  std::string key; ///< of a member; an array entry has none
+  std::size_t index = 0;
+  bool is_key = false;
+
+  explicit JsonStep(std::string k) : key(std::move(k)), is_key(true) {}
+  explicit JsonStep(std::size_t i) : index(i) {}
+  friend bool operator==(const JsonStep&, const JsonStep&) = default;
+};
+using JsonPath = std::vector<JsonStep>;
+
+/// "metric.edge_lengths[3][2]"; empty for the root.
+std::string path_text(const JsonPath& path);
+
+/// Something in a JSON text that is not as it should be. Thrown, and turned into an InputError with a line by
+/// whoever has the text.
+struct JsonFault {
+  JsonPath path;
+  std::string what;
+  int occurrence = 1; ///< 2: the second value of that path is meant
+};
+
+/// The 1-based line of the character at `offset`.
+int line_at(std::string_view text, std::size_t offset);
+
+/// The 1-based line on which the faulty value starts (an array or object: where it opens); 1 if there is no
+/// such value. Reads the text again, up to there: for complaints only.
+int line_of(std::string_view text, const JsonFault& fault);
+
+/// "the string 'x'", "the number 3", "null", "an array": what was found, for a complaint.
+std::string describe(const Json& value);
+
+struct JsonTree {
+  Json root; ///< an object; its member "gluings" is null where the file has an array
+  GluingTable gluings;
+  bool has_gluings = false;
+};
+
+/// Throws InputError where the text is no JSON, JsonFault where it is JSON of the wrong shape: no object at
+/// the root, a repeated key, nesting too deep, a number beyond a double, "format", "version" or "gluings"
+/// wrong in itself. O(length).
+JsonTree parse_tree(std::string_view text, const std::string& source);
+
+} // namespace tetrarch::format

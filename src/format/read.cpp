@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "tetrarch/format/read.hpp"
+
+#include "tetrarch/core/signature.hpp"
+#include "tetrarch/format/fmp.hpp"
+#include "tetrarch/format/json.hpp"
+#include "tetrarch/format/snappea.hpp"
+#include "tetrarch/format/text.hpp"
+
+#include <algorithm>
+
+namespace tetrarch::format {
+namespace {
+
+constexpr std::string_view any_triangulation =
+    "a triangulation: Tetrarch JSON, a SnapPea file, a census record or an isomorphism signature";
+
+/// Some editors begin UTF-8 files with this mark.
+constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+
+/// A count of tetrahedra stands in so many digits; longer ones are something else.
+constexpr std::size_t longest_count = 10;
+
+bool is_digits(std::string_view token) {
+  return std::all_of(token.begin(), token.end(), [](char c) { return c >= '0' && c <= '9'; });
+}
+
+bool is_control(char c) {
+  return static_cast<unsigned char>(c) < ' ' && !is_space(c);
+}
+
+std::string extension_of(std::string_view path) {
+  const std::size_t dot = path.find_last_of("./");
+  if (dot == std::string_view::npos || path[dot] == '/') return {};
+  std::string extension(path.substr(dot));
+  for (char& c : extension)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  return extension;
+}
+
+bool is_signature(std::string_view token) {
+  try {
+    from_signature(token);
+    return true;
+  } catch (const InputError&) {
+    return false;
+  }
+}
+
+Document read_signature(std::string_view text, const std::string& source) {
+  TextCursor in(text, source);
+  const Place place = in.here();
+  const std::string_view token = in.token("an isomorphism signature");
+  Document document;
+  try {
+    document.triangulation = from_signature(token);
+  } catch (const InputError& error) {
+    throw InputError(place, error.what());
+  }
+  if (!in.at_end()) in.fail_at(in.peek(), "nothing after the signature");
+  return document;
+}
+
+Document read_single_fmp(std::string_view text, const std::string& source) {
+  const std::vector<FmpRecord> records = read_fmp(text, source);
+  if (records.size() != 1)
+    throw InputError(Place{source, 0},
+                     "found " + std::to_string(records.size()) + " census records, expected one");
+  return document_of(records.front());
+}
+
+} // namespace
+
+std::string name_of(FileFormat format) {
+  switch (format) {
+  case FileFormat::json:
+    return "json";
+  case FileFormat::snappea:
+    return "snappea";
+  case FileFormat::signature:
+    return "signature";
+  case FileFormat::fmp:
+    return "fmp";
+  }
+  throw PreconditionError("no such file format");
+}
+
+std::optional<FileFormat> format_for_extension(std::string_view path) {
+  const std::string extension = extension_of(path);
+  if (extension == ".json") return FileFormat::json;
+  if (extension == ".tri") return FileFormat::snappea;
+  if (extension == ".sig" || extension == ".txt") return FileFormat::signature;
+  if (extension == ".fmp") return FileFormat::fmp;
+  return std::nullopt;
+}
+
+std::optional<FileFormat> recognise(std::string_view text, const std::string& source) {
+  TextCursor in(text, source);
+  if (in.at_end() || is_control(in.next_char())) return std::nullopt;
+  const std::string_view first = in.token("");
+  if (first.front() == '{') return FileFormat::json;
+  if (first.front() == '%') return FileFormat::snappea;
+  const std::optional<FileFormat> hint = format_for_extension(source);
+  if (first.size() <= longest_count && is_digits(first)) return hint.value_or(FileFormat::fmp);
+  if (in.at_end() || hint) return hint.value_or(FileFormat::signature);
+  return is_signature(first) ? std::optional(FileFormat::signature) : std::nullopt;
+}
+
+Document read_any(std::string_view text, const std::string& source) {
+  if (text.substr(0, byte_order_mark.size()) == byte_order_mark) text.remove_prefix(byte_order_mark.size());
+  TextCursor in(text, source);
+  if (in.at_end())
+    throw InputError(Place{source, 0}, "the text is empty, expected " + std::string(any_triangulation));
+  if (is_control(in.next_char()))
+    throw InputError(in.here(), "found a binary file (a byte of value " +
+                                    std::to_string(static_cast<int>(in.next_char())) + "), expected " +
+                                    std::string(any_triangulation));
+  const std::optional<FileFormat> format = recognise(text, source);
+  if (!format) in.fail_at(in.peek(), any_triangulation);
+  switch (*format) {
+  case FileFormat::json:
+    return read_json(text, source);
+  case FileFormat::snappea:
+    return read_snappea(text, source);
+  case FileFormat::signature:
+    return read_signature(text, source);
+  case FileFormat::fmp:
+    return read_single_fmp(text, source);
+  }
+  throw PreconditionError("no such file format");
+}
+
+Document read_document(const std::string& path) {
+  return read_any(read_file(path), source_name(path));
+}
+
+Written write_any(const Document& document, FileFormat format) {
+  switch (format) {
+  case FileFormat::json:
+    return {write_json(document), {}};
+  case FileFormat::snappea:
+    return write_snappea(document);
+  case FileFormat::signature:
+    return {signature(document.triangulation) + "\n", {}};
+  case FileFormat::fmp:
+    return {write_fmp({fmp_record_of(document)}), {}};
+  }
+  throw PreconditionError("no such file format");
+}
+
+} // namespace tetrarch::format
