@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "tetrarch/hyperbolic/real50.hpp"
+
+namespace tetrarch::hyperbolic {
+
+template <>
+Real50 pi<Real50>() {
+  static const Real50 value = acos(Real50(-1));
+  return value;
+}
+
+} // namespace tetrarch::hyperbolic
