@@ -52,7 +52,8 @@ void in_parallel(int count, int threads, const std::function<void(int)>& work) {
   if (failure) std::rethrow_exception(failure);
 }
 
-/// Link surfaces of genus 1 and more, as far as that many tetrahedra can reach: chi(boundary) = 2 (E - T) >= 2 (1 - T).
+/// Link surfaces of genus 1 and more, as far as that many tetrahedra can reach: chi(boundary) = 2 (E - T) >=
+/// 2 (1 - T).
 LinkSet qualifying_links(int tetrahedra) {
   LinkSet links;
   for (int genus = 1; genus <= tetrahedra; ++genus) links.genera.push_back(genus);
@@ -113,8 +114,10 @@ Manifold describe(const Candidate& candidate) {
     for (int e = 0; e < 6; ++e) m.dihedral_angles.back()[e] = digits(angles[e]);
   }
   for (const VertexId v : all<VertexId>(skeleton.vertex_count())) {
-    if (skeleton.link(v).genus() == 1) ++m.cusps;
-    else m.boundary.push_back(skeleton.link(v).genus());
+    if (skeleton.link(v).genus() == 1)
+      ++m.cusps;
+    else
+      m.boundary.push_back(skeleton.link(v).genus());
   }
   std::sort(m.boundary.begin(), m.boundary.end(), std::greater<>());
   m.edges = skeleton.edge_count();

@@ -58,7 +58,8 @@ Manifold from_json(const Json& j, int tetrahedra) {
   m.canonical_signature = j.at("canonical_signature");
   m.symmetries = j.at("symmetries");
   m.dihedral_angles = j.at("dihedral_angles").get<std::vector<std::array<std::string, 6>>>();
-  if (from_signature(m.signature).size() != tetrahedra || static_cast<int>(m.dihedral_angles.size()) != tetrahedra)
+  if (from_signature(m.signature).size() != tetrahedra ||
+      static_cast<int>(m.dihedral_angles.size()) != tetrahedra)
     throw InputError("'" + m.signature + "' does not have " + std::to_string(tetrahedra) + " tetrahedra");
   return m;
 }
@@ -110,9 +111,9 @@ std::vector<VolumeCount> count_volumes(const std::vector<Manifold>& sorted) {
 }
 
 std::string write_table(int tetrahedra, const std::vector<Manifold>& manifolds) {
-  std::string text = "{\n  \"format\": \"" + std::string(format_tag) + "\",\n  \"version\": " +
-                     std::to_string(format_version) + ",\n  \"tetrahedra\": " + std::to_string(tetrahedra) +
-                     ",\n  \"manifolds\": [";
+  std::string text = "{\n  \"format\": \"" + std::string(format_tag) +
+                     "\",\n  \"version\": " + std::to_string(format_version) +
+                     ",\n  \"tetrahedra\": " + std::to_string(tetrahedra) + ",\n  \"manifolds\": [";
   for (std::size_t k = 0; k < manifolds.size(); ++k)
     text += (k > 0 ? ",\n    " : "\n    ") + to_json(manifolds[k]).dump();
   return text + "\n  ]\n}\n";

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
-/// The texts of census/fmp*.json, compiled into the library by embed.cmake so that an installed program has them.
+/// The texts of census/fmp*.json, compiled into the library by embed.cmake so that an installed program has
+/// them.
 
 #include <string_view>
 #include <vector>

@@ -16,8 +16,8 @@ namespace {
 
 using hyperbolic::Real50;
 
-constexpr std::array<Published, 2> publications{
-    {{2, 8, 1, 8, 0, "Frigerio-Martelli-Petronio 2004"}, {3, 151, 18, 74, 1, "Frigerio-Martelli-Petronio 2004"}}};
+constexpr std::array<Published, 2> publications{{{2, 8, 1, 8, 0, "Frigerio-Martelli-Petronio 2004"},
+                                                 {3, 151, 18, 74, 1, "Frigerio-Martelli-Petronio 2004"}}};
 
 /// The dissertation's bound on the flow's angles (4.3.4), and what Newton's must meet.
 constexpr double flow_angle_bound = 1e-6;
@@ -40,8 +40,8 @@ void compare_with_published(Validation& out) {
   if (!paper) return;
   const auto expect = [&](const char* what, int found, int wanted) {
     if (found != wanted)
-      out.failures.push_back(std::string(what) + ": " + std::to_string(found) + ", but " + paper->source + " has " +
-                             std::to_string(wanted));
+      out.failures.push_back(std::string(what) + ": " + std::to_string(found) + ", but " + paper->source +
+                             " has " + std::to_string(wanted));
   };
   expect("manifolds", out.manifolds, paper->manifolds);
   expect("distinct volumes", static_cast<int>(out.volumes.size()), paper->distinct_volumes);
@@ -77,8 +77,10 @@ void solve_all_again(const std::vector<Manifold>& table, Validation& out, const 
     progress.step("re-solving", static_cast<double>(k) / static_cast<double>(table.size()));
     const auto newton = solve_again(m, hyperbolic::Method::newton);
     const auto flow = solve_again(m, hyperbolic::Method::flow);
-    if (!newton || newton->angle > newton_angle_bound) out.failures.push_back(m.name + ": Newton from length 1");
-    if (!flow || flow->angle > flow_angle_bound) out.failures.push_back(m.name + ": Luo's flow from length 1");
+    if (!newton || newton->angle > newton_angle_bound)
+      out.failures.push_back(m.name + ": Newton from length 1");
+    if (!flow || flow->angle > flow_angle_bound)
+      out.failures.push_back(m.name + ": Luo's flow from length 1");
     if (newton) {
       out.max_angle_error = std::max(out.max_angle_error, newton->angle);
       out.max_volume_error = std::max(out.max_volume_error, newton->volume);
@@ -100,7 +102,8 @@ std::optional<Published> published(int tetrahedra) {
 
 Validation validate(int tetrahedra, int threads, const Progress& progress) {
   const std::vector<Manifold> table = stored_table(tetrahedra);
-  if (table.empty()) throw InputError("no census table of " + std::to_string(tetrahedra) + " tetrahedra is stored");
+  if (table.empty())
+    throw InputError("no census table of " + std::to_string(tetrahedra) + " tetrahedra is stored");
   Validation out;
   out.tetrahedra = tetrahedra;
   const Classification fresh = classify_manifolds(tetrahedra, threads, progress);

@@ -3,10 +3,10 @@
 
 /// The classified manifolds: one record each, and the tables of them.
 ///
-/// Orientable hyperbolic 3-manifolds of finite volume with non-empty compact geodesic boundary (and perhaps cusps), by
-/// the smallest number of tetrahedra that glue up to them. Numbers are kept as decimal texts of 30 significant digits.
-/// Source: Frigerio, Martelli, Petronio, "Small hyperbolic 3-manifolds with geodesic boundary", Experimental Math. 13
-/// (2004): 8 manifolds of two tetrahedra, 151 of three, 5,033 of four.
+/// Orientable hyperbolic 3-manifolds of finite volume with non-empty compact geodesic boundary (and perhaps
+/// cusps), by the smallest number of tetrahedra that glue up to them. Numbers are kept as decimal texts of 30
+/// significant digits. Source: Frigerio, Martelli, Petronio, "Small hyperbolic 3-manifolds with geodesic
+/// boundary", Experimental Math. 13 (2004): 8 manifolds of two tetrahedra, 151 of three, 5,033 of four.
 
 #include "tetrarch/core/triangulation.hpp"
 
@@ -23,14 +23,15 @@ struct Manifold {
   int tetrahedra = 0;
   std::string signature; ///< of the smallest geometric gluing, by ASCII order
   std::string volume;
-  std::vector<std::array<std::string, 6>> dihedral_angles; ///< of from_signature(signature); edges 01,02,03,12,13,23
+  std::vector<std::array<std::string, 6>>
+      dihedral_angles;       ///< of from_signature(signature); edges 01,02,03,12,13,23
   std::vector<int> boundary; ///< genera of the geodesic boundary components, decreasing
   int cusps = 0;
   int edges = 0; ///< edge classes of the gluing
   std::string homology;
-  std::vector<std::string> cells; ///< of the canonical decomposition
+  std::vector<std::string> cells;  ///< of the canonical decomposition
   std::string canonical_signature; ///< of the canonical triangulation: the isometry signature
-  int symmetries = 0; ///< order of the isometry group
+  int symmetries = 0;              ///< order of the isometry group
 
   /// "2", "3 + cusp": the boundary as people say it.
   std::string boundary_text() const;

@@ -3,9 +3,9 @@
 
 /// Classifying the manifolds from nothing, and validating the stored tables against that.
 ///
-/// From nothing: every closed orientable gluing whose links are tori or surfaces of higher genus, no edge of valence
-/// below 3; the geometric ones are solved, canonised and told apart by isometry signature; those that fewer tetrahedra
-/// make are left out. Source: Frigerio-Martelli-Petronio 2004; Yin, section 4.3.4.
+/// From nothing: every closed orientable gluing whose links are tori or surfaces of higher genus, no edge of
+/// valence below 3; the geometric ones are solved, canonised and told apart by isometry signature; those that
+/// fewer tetrahedra make are left out. Source: Frigerio-Martelli-Petronio 2004; Yin, section 4.3.4.
 
 #include "tetrarch/census/manifold.hpp"
 #include "tetrarch/core/progress.hpp"
@@ -28,8 +28,8 @@ struct Classification {
   Tally tally;
 };
 
-/// All manifolds of that many tetrahedra and no fewer. One second for three on two cores, a few minutes for four.
-/// Deterministic for any number of threads. Throws PreconditionError unless tetrahedra >= 1.
+/// All manifolds of that many tetrahedra and no fewer. One second for three on two cores, a few minutes for
+/// four. Deterministic for any number of threads. Throws PreconditionError unless tetrahedra >= 1.
 Classification classify_manifolds(int tetrahedra, int threads = 1, const Progress& progress = {});
 
 /// What was published of a table: the outside witness.
