@@ -44,7 +44,9 @@ public:
   }
 
 private:
-  static std::size_t slot(int t, int f, int k) { return static_cast<std::size_t>(16 * t + 4 * f + k); }
+  static std::size_t slot(int t, int f, int k) {
+    return static_cast<std::size_t>(t) * 16 + static_cast<std::size_t>(4 * f + k);
+  }
   /// Held by the edge of face f that lies opposite vertex k, smaller end first, f to the right.
   static Walk hold(int t, int f, int k) {
     std::array<int, 2> ends{};

@@ -136,6 +136,7 @@ std::vector<const Candidate*> representatives(const std::vector<Candidate>& cand
     if (c.geometric && !c.stuck && !known.contains(c.canonical.isometry_signature))
       first.emplace(c.canonical.isometry_signature, &c);
   std::vector<const Candidate*> out;
+  out.reserve(first.size());
   for (const auto& entry : first) out.push_back(entry.second);
   return out;
 }

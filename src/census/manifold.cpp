@@ -97,6 +97,7 @@ void sort_by_volume(std::vector<Manifold>& manifolds) {
            std::tie(rank[y.second], b.boundary, b.cusps, b.canonical_signature);
   });
   std::vector<Manifold> sorted;
+  sorted.reserve(manifolds.size());
   for (const auto& entry : order) sorted.push_back(std::move(manifolds[entry.second]));
   manifolds = std::move(sorted);
 }

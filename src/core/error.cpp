@@ -18,7 +18,7 @@ InputError::InputError(const std::string& message) : std::runtime_error(message)
 InputError::InputError(const Place& place, const std::string& message)
     : std::runtime_error(placed(place, message)) {}
 
-std::string quoted(std::string_view token) {
+std::string in_quotes(std::string_view token) {
   constexpr std::size_t longest = 40;
   std::string text = "'";
   for (const char c : token.substr(0, longest)) text += (c >= ' ' && c < 0x7f) ? c : '?';

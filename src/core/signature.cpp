@@ -227,7 +227,7 @@ public:
     if (at_end()) fail("ends too early");
     const std::size_t v = letters.find(text_[at_]);
     if (v == std::string_view::npos)
-      fail("has " + quoted(text_.substr(at_, 1)) + " at position " + std::to_string(at_ + 1) +
+      fail("has " + in_quotes(text_.substr(at_, 1)) + " at position " + std::to_string(at_ + 1) +
            ", which is no signature letter");
     ++at_;
     return static_cast<int>(v);
@@ -239,7 +239,7 @@ public:
   }
   std::size_t rest() const { return text_.size() - at_; }
   [[noreturn]] void fail(const std::string& what) const {
-    throw InputError("signature " + quoted(text_) + " " + what);
+    throw InputError("signature " + in_quotes(text_) + " " + what);
   }
   [[noreturn]] void fail_before(const std::string& what) const {
     fail("is wrong at position " + std::to_string(at_) + ": " + what);

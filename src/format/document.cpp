@@ -46,7 +46,7 @@ Number::Number(double value) : value_(value + 0.0), text_(to_text(value + 0.0)) 
 }
 
 Number::Number(std::string digits) : text_(std::move(digits)), is_text_(true) {
-  if (!is_decimal(text_)) throw PreconditionError(tetrarch::quoted(text_) + " is no decimal number");
+  if (!is_decimal(text_)) throw PreconditionError(in_quotes(text_) + " is no decimal number");
   value_ = *parse_double(text_);
 }
 

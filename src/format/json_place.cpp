@@ -105,7 +105,7 @@ std::string path_text(const JsonPath& path) {
   }
   // A key may be of any length and hold anything.
   if (text.size() > 60 || std::any_of(text.begin(), text.end(), [](char c) { return c < ' ' || c > '~'; }))
-    return tetrarch::quoted(text);
+    return in_quotes(text);
   return text;
 }
 

@@ -29,8 +29,7 @@ std::string reason_of(std::string_view what) {
 }
 
 std::string beyond_a_double(const std::string& number) {
-  return "found the number " + tetrarch::quoted(number) +
-         ", which is beyond a double; expected a string of digits";
+  return "found the number " + in_quotes(number) + ", which is beyond a double; expected a string of digits";
 }
 
 /// What was read last, up to `end`. (The parser's own account of it may begin many tokens earlier.)
@@ -58,8 +57,8 @@ std::string_view last_word(std::string_view text, std::size_t end) {
   const std::string_view token = last_word(text, position);
   if (error.id == 406) // nlohmann's number for an overflow
     throw InputError(place, beyond_a_double(std::string(trimmed(token))));
-  throw InputError(place, "found " + tetrarch::quoted(token) +
-                              " where the JSON text breaks: " + reason_of(error.what()));
+  throw InputError(place,
+                   "found " + in_quotes(token) + " where the JSON text breaks: " + reason_of(error.what()));
 }
 
 /// How many digits carry the value of a decimal number.
@@ -290,7 +289,7 @@ private:
 } // namespace
 
 std::string describe(const Json& value) {
-  if (value.is_string()) return "the string " + tetrarch::quoted(value.get_ref<const std::string&>());
+  if (value.is_string()) return "the string " + in_quotes(value.get_ref<const std::string&>());
   if (value.is_array()) return "an array";
   if (value.is_object()) return "an object";
   return (value.is_number() ? "the number " : "") + value.dump();

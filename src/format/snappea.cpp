@@ -134,7 +134,7 @@ Written write_snappea(const Document& document) {
   out.warnings = warnings_about(Skeleton(tri));
   const std::string name = clean_line(document.name);
   if (name != document.name)
-    out.warnings.push_back("the name was changed to fit on a line: " + tetrarch::quoted(name));
+    out.warnings.push_back("the name was changed to fit on a line: " + in_quotes(name));
   out.text = header_text(name) + std::to_string(tri.size()) + "\n";
   std::string data = "  -1   -1   -1   -1\n";
   for (int curve = 0; curve < 4; ++curve) data += "  0  0  0  0  0  0  0  0  0  0  0  0  0  0  0  0\n";

@@ -44,7 +44,7 @@ std::string to_text(double value) {
 }
 
 std::string found_expected(std::string_view token, std::string_view expected) {
-  std::string text = token.empty() ? std::string("the text ends") : "found " + tetrarch::quoted(token);
+  std::string text = token.empty() ? std::string("the text ends") : "found " + in_quotes(token);
   text += ", expected ";
   text += expected;
   return text;

@@ -180,8 +180,8 @@ TEST_CASE("error messages name the place and stay short", "[error]") {
   CHECK(std::string(InputError({"a.tri", 3}, "no vertex").what()) == "a.tri:3: no vertex");
   CHECK(std::string(InputError({"a.tri", 0}, "no vertex").what()) == "a.tri: no vertex");
   CHECK(std::string(InputError({"", 0}, "no vertex").what()) == "no vertex");
-  CHECK(quoted("a\nb") == "'a?b'");
-  CHECK(quoted(std::string(50, 'x')) == "'" + std::string(40, 'x') + "...'");
+  CHECK(in_quotes("a\nb") == "'a?b'");
+  CHECK(in_quotes(std::string(50, 'x')) == "'" + std::string(40, 'x') + "...'");
 }
 
 TEST_CASE("progress reports, and throws once a stop was requested", "[progress]") {

@@ -26,13 +26,14 @@ struct Solved {
   std::string why_not;
   Outcome outcome = Outcome::invalid;
   double volume = 0;
+  std::vector<std::string> warnings; ///< from reading the input
 };
 
 Solved solve(const std::string& input, const Context& context) {
   const format::Document document = read_triangulation(input);
   const Skeleton skeleton(document.triangulation);
   const auto structure = hyperbolic::hyperbolize(document.triangulation, skeleton, {}, context.progress);
-  Solved solved{std::nullopt, {}, structure.outcome, structure.volume};
+  Solved solved{std::nullopt, {}, structure.outcome, structure.volume, document.warnings};
   if (structure.outcome == Outcome::stopped) throw Stopped();
   if (structure.outcome == Outcome::invalid || structure.outcome == Outcome::boundary_faces)
     throw InputError({input, 0}, describe(structure, skeleton));
@@ -53,16 +54,19 @@ std::string cell_summary(const std::vector<std::string>& cells) {
   std::map<std::string, int> count;
   for (const std::string& cell : cells) ++count[cell];
   std::vector<std::string> items;
-  for (const auto& [cell, n] : count) items.push_back(counted(n, cell));
-  std::string text = joined(items, ", ");
-  if (const std::size_t at = text.find("tetrahedrons"); at != std::string::npos)
-    text.replace(at, 12, "tetrahedra");
-  return text;
+  items.reserve(count.size());
+  for (const auto& [cell, n] : count) {
+    std::string item = counted(n, cell);
+    if (item.ends_with("hedrons")) item.replace(item.size() - 3, 3, "a");
+    items.push_back(std::move(item));
+  }
+  return joined(items, ", ");
 }
 
 Result canonize(const std::string& input, const std::string& output, const Context& context) {
   const Solved solved = solve(input, context);
   Result result;
+  result.warnings = solved.warnings;
   if (!solved.why_not.empty()) {
     result.status = solved.outcome == Outcome::projective_plane ? Status::proved_no : Status::undecided;
     result.json = {{"outcome", "not found"}, {"reason", solved.why_not}};
@@ -110,6 +114,8 @@ Result isometric(const std::string& x, const std::string& y, const Context& cont
     answer = compare(*a.canonical, *b.canonical);
 
   Result result;
+  result.warnings = a.warnings;
+  result.warnings.insert(result.warnings.end(), b.warnings.begin(), b.warnings.end());
   const bool yes = answer.verdict == Verdict::isometric;
   const bool unknown = answer.verdict == Verdict::undecided;
   result.status = yes ? Status::done : unknown ? Status::undecided : Status::proved_no;

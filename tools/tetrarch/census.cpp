@@ -5,6 +5,7 @@
 #include "tetrarch/census/gluings.hpp"
 #include "tetrarch/census/validate.hpp"
 #include "tetrarch/core/error.hpp"
+#include "tetrarch/format/text.hpp"
 
 #include <CLI/CLI.hpp>
 #include <chrono>
@@ -31,6 +32,12 @@ Json manifold_json(const Manifold& m) {
   j["symmetries"] = m.symmetries;
   j["dihedral_angles"] = m.dihedral_angles;
   return j;
+}
+
+/// A stored volume rounded to twelve decimals.
+std::string shortened(const std::string& volume) {
+  constexpr int decimals = 12;
+  return fixed(format::parse_double(volume).value_or(0), decimals);
 }
 
 Json validation_json(const Validation& v, double seconds) {
@@ -72,8 +79,7 @@ std::string validation_text(const Validation& v, double seconds) {
   text += block(rows) + "\n" + counted(static_cast<long long>(v.volumes.size()), "volume") + ":\n";
   rows.clear();
   for (const auto& volume : v.volumes)
-    rows.emplace_back("  " + volume.volume.substr(0, volume.volume.find('.') + 13),
-                      counted(volume.manifolds, "manifold"));
+    rows.emplace_back("  " + shortened(volume.volume), counted(volume.manifolds, "manifold"));
   text += block(rows) + "\nSolved again from length 1, against the stored 30 digits:\n";
   text += block({{"  Newton", "worst angle error " + scientific(v.max_angle_error, 1) +
                                   ", worst volume error " + scientific(v.max_volume_error, 1)},
@@ -203,8 +209,8 @@ Run declare_census_list(CLI::App& app) {
     std::vector<std::pair<std::string, std::string>> rows;
     for (const Manifold& m : require_table(*tetrahedra)) {
       result.json["manifolds"].push_back(manifold_json(m));
-      rows.emplace_back(m.name, m.volume.substr(0, m.volume.find('.') + 13) + "  " + m.boundary_text() +
-                                    "  " + m.homology + "  " + m.signature);
+      rows.emplace_back(m.name, shortened(m.volume) + "  " + m.boundary_text() + "  " + m.homology + "  " +
+                                    m.signature);
     }
     result.text = block(rows);
     return result;
@@ -216,7 +222,7 @@ Run declare_census_show(CLI::App& app) {
   app.add_option("NAME", *name, "for instance fmp3_17")->required();
   return [name](const Context&) {
     const auto found = census::find_by_name(*name);
-    if (!found) throw InputError("no census manifold is called " + tetrarch::quoted(*name));
+    if (!found) throw InputError("no census manifold is called " + in_quotes(*name));
     const Manifold& m = *found;
     Result result;
     result.json = manifold_json(m);

@@ -31,7 +31,8 @@ Result convert(const Options& options) {
   const format::FileFormat to = target(options);
   format::Written written = format::write_any(document, to);
   Result result;
-  result.warnings = std::move(written.warnings);
+  result.warnings = document.warnings;
+  result.warnings.insert(result.warnings.end(), written.warnings.begin(), written.warnings.end());
   if (options.output.empty()) {
     result.text = std::move(written.text);
     return result;

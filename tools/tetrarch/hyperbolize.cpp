@@ -97,6 +97,7 @@ Result hyperbolize(const Options& options, const Context& context) {
     throw InputError({options.input, 0}, describe(found, skeleton));
 
   Result result;
+  result.warnings = document.warnings;
   result.status = status_of(found.outcome);
   const bool geometric = found.outcome == Outcome::geometric;
   result.json["outcome"] = outcome_word(found.outcome);

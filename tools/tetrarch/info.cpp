@@ -27,6 +27,7 @@ Json boundary_json(const std::vector<BoundaryComponent>& components) {
 
 std::string boundary_text(const std::vector<BoundaryComponent>& components) {
   std::vector<std::string> items;
+  items.reserve(components.size());
   for (const BoundaryComponent& b : components)
     items.push_back(b.type.str() + (b.kind == BoundaryComponent::Kind::ideal ? " (ideal)" : " (real)"));
   return items.empty() ? "none" : joined(items, ", ");
@@ -61,6 +62,7 @@ Result info(const format::Document& document, const Context& context) {
   const std::string sig = signature(tri);
 
   Result result;
+  result.warnings = document.warnings;
   Json& j = result.json;
   if (!document.name.empty()) j["name"] = document.name;
   j["tetrahedra"] = tri.size();

@@ -17,11 +17,11 @@ format::Document read_triangulation(const std::string& argument) {
   if (argument.starts_with("fmp")) {
     if (const auto manifold = census::find_by_name(argument))
       return format::document_of(from_signature(manifold->signature), manifold->name);
-    throw InputError("no census manifold is called " + tetrarch::quoted(argument) +
+    throw InputError("no census manifold is called " + in_quotes(argument) +
                      " (expected fmp2_1 ... fmp2_8 or fmp3_1 ... fmp3_151)");
   }
   if (looks_like_signature(argument)) return format::document_of(from_signature(argument));
-  throw InputError(tetrarch::quoted(argument) +
+  throw InputError(in_quotes(argument) +
                    " is no file, and neither a census name nor an isomorphism signature");
 }
 

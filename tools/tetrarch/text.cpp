@@ -21,7 +21,7 @@ std::string block(const std::vector<std::pair<std::string, std::string>>& rows) 
   for (const auto& row : rows) width = std::max(width, row.first.size());
   std::string text;
   for (const auto& [name, value] : rows)
-    text += name + std::string(width - name.size() + 2, ' ') + value + "\n";
+    text.append(name).append(width - name.size() + 2, ' ').append(value).append("\n");
   return text;
 }
 

@@ -31,6 +31,6 @@ struct InputError : std::runtime_error {
 };
 
 /// A token as it may stand in an error message: quoted, control characters replaced, cut after 40 characters.
-std::string quoted(std::string_view token);
+std::string in_quotes(std::string_view token);
 
 } // namespace tetrarch
