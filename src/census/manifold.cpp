@@ -28,22 +28,6 @@ bool same_volume(const std::string& a, const std::string& b) {
   return abs(Real50(a) - Real50(b)) < equal_volumes();
 }
 
-Json to_json(const Manifold& m) {
-  Json j;
-  if (!m.name.empty()) j["name"] = m.name;
-  j["signature"] = m.signature;
-  j["volume"] = m.volume;
-  j["boundary"] = m.boundary;
-  j["cusps"] = m.cusps;
-  j["edges"] = m.edges;
-  j["homology"] = m.homology;
-  j["cells"] = m.cells;
-  j["canonical_signature"] = m.canonical_signature;
-  j["symmetries"] = m.symmetries;
-  j["dihedral_angles"] = m.dihedral_angles;
-  return j;
-}
-
 Manifold from_json(const Json& j, int tetrahedra) {
   Manifold m;
   m.name = j.value("name", "");
@@ -74,6 +58,22 @@ Json parse(std::string_view text, const std::string& source) {
 }
 
 } // namespace
+
+Json to_json(const Manifold& m) {
+  Json j;
+  if (!m.name.empty()) j["name"] = m.name;
+  j["signature"] = m.signature;
+  j["volume"] = m.volume;
+  j["boundary"] = m.boundary;
+  j["cusps"] = m.cusps;
+  j["edges"] = m.edges;
+  j["homology"] = m.homology;
+  j["cells"] = m.cells;
+  j["canonical_signature"] = m.canonical_signature;
+  j["symmetries"] = m.symmetries;
+  j["dihedral_angles"] = m.dihedral_angles;
+  return j;
+}
 
 std::string Manifold::boundary_text() const {
   std::string text;

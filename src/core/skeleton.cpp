@@ -2,20 +2,12 @@
 #include "tetrarch/core/skeleton.hpp"
 
 #include "tetrarch/core/error.hpp"
+#include "tetrarch/core/union_find.hpp"
 
 #include <algorithm>
 #include <numeric>
 
 namespace tetrarch {
-namespace {
-
-int find(std::vector<int>& parent, int x) {
-  while (parent[x] != x) x = parent[x] = parent[parent[x]];
-  return x;
-}
-
-} // namespace
-
 Skeleton::Skeleton(const Triangulation& tri) : tets_(tri.size()), revision_(tri.revision()) {
   find_components(tri);
   find_faces(tri);
@@ -219,7 +211,7 @@ void Skeleton::count_boundary_curves() {
       const int a = edge_end(at, face_vertex[face.face][(c + 1) % 3]);
       const int b = edge_end(at, face_vertex[face.face][(c + 2) % 3]);
       link_at[a] = link_at[b] = vertex(at).value;
-      curve[find(curve, a)] = find(curve, b);
+      curve[find_root(curve, a)] = find_root(curve, b);
     }
   }
   for (std::size_t x = 0; x < curve.size(); ++x)

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "tetrarch/core/surface.hpp"
 
+#include "tetrarch/core/union_find.hpp"
+
 #include <numeric>
 
 namespace tetrarch {
@@ -9,11 +11,6 @@ namespace {
 /// +1 if corner map c keeps the cyclic order of the corners, -1 if it reverses it.
 int turning(const std::array<int, 3>& c) {
   return (c[1] - c[0] + 3) % 3 == 1 ? 1 : -1;
-}
-
-int find(std::vector<int>& parent, int x) {
-  while (parent[x] != x) x = parent[x] = parent[parent[x]];
-  return x;
 }
 
 /// Flood fill: numbers the components and decides which are orientable.
@@ -86,7 +83,7 @@ SurfaceComponents classify(const TriangulatedSurface& surface) {
       type.euler -= side.triangle < 0 ? 2 : 1;
       for (const int c : {(s + 1) % 3, (s + 2) % 3})
         if (side.triangle >= 0)
-          vertex[find(vertex, 3 * t + c)] = find(vertex, 3 * side.triangle + side.corner[c]);
+          vertex[find_root(vertex, 3 * t + c)] = find_root(vertex, 3 * side.triangle + side.corner[c]);
     }
   }
   for (int t = 0; t < surface.size(); ++t)
@@ -96,8 +93,8 @@ SurfaceComponents classify(const TriangulatedSurface& surface) {
   for (int t = 0; t < surface.size(); ++t) {
     for (int s = 0; s < 3; ++s) {
       if (surface.side(t, s).triangle >= 0) continue;
-      const int a = find(vertex, 3 * t + (s + 1) % 3);
-      const int b = find(vertex, 3 * t + (s + 2) % 3);
+      const int a = find_root(vertex, 3 * t + (s + 1) % 3);
+      const int b = find_root(vertex, 3 * t + (s + 2) % 3);
       vertex[a] = b;
       on_boundary[a] = on_boundary[b] = 1;
     }

@@ -83,6 +83,14 @@ class Hyperbolize(unittest.TestCase):
                     self.assertAlmostEqual(angle, 0.5235987756, delta=1e-9)
             self.assertLess(found["residual"], 1e-10)
 
+    def test_the_knotted_y_typed_in_from_the_dissertation(self):
+        path = f"{SOURCE}/tests/data/knotted_y.json"
+        self.assertEqual(run_json("info", path)[1]["signature"], "cPcbbbihq")
+        found = run_json("hyperbolize", path)[1]
+        self.assertAlmostEqual(found["volume"], 6.451990270835, delta=1e-11)
+        with open(path) as f:
+            self.assertEqual(run("convert", path).stdout, f.read())
+
     def test_the_history_is_a_table_that_decreases(self):
         with tempfile.TemporaryDirectory() as folder:
             path = os.path.join(folder, "history.csv")

@@ -18,19 +18,8 @@ using census::Manifold;
 using census::Validation;
 
 Json manifold_json(const Manifold& m) {
-  Json j;
-  j["name"] = m.name.empty() ? Json() : Json(m.name);
-  j["tetrahedra"] = m.tetrahedra;
-  j["signature"] = m.signature;
-  j["volume"] = m.volume;
-  j["boundary"] = m.boundary;
-  j["cusps"] = m.cusps;
-  j["edges"] = m.edges;
-  j["homology"] = m.homology;
-  j["cells"] = m.cells;
-  j["canonical_signature"] = m.canonical_signature;
-  j["symmetries"] = m.symmetries;
-  j["dihedral_angles"] = m.dihedral_angles;
+  Json j{{"name", nullptr}, {"tetrahedra", m.tetrahedra}};
+  j.update(census::to_json(m));
   return j;
 }
 

@@ -11,6 +11,7 @@
 #include "tetrarch/core/triangulation.hpp"
 
 #include <array>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -37,6 +38,9 @@ struct Manifold {
   std::string boundary_text() const;
   friend bool operator==(const Manifold&, const Manifold&) = default;
 };
+
+/// One entry of a table, without the number of tetrahedra; no "name" member where there is no name.
+nlohmann::ordered_json to_json(const Manifold& m);
 
 /// The order of names: by volume, boundary, canonical signature. Volumes that agree to 25 digits are equal.
 void sort_by_volume(std::vector<Manifold>& manifolds);
