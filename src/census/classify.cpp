@@ -46,7 +46,11 @@ void in_parallel(int count, int threads, const std::function<void(int)>& work) {
   };
   {
     std::vector<std::jthread> helpers;
-    for (int k = 1; k < threads; ++k) helpers.emplace_back(run);
+    for (int k = 1; k < threads; ++k)
+      helpers.emplace_back([&run] {
+        run();
+        hyperbolic::free_thread_cache();
+      });
     run();
   }
   if (failure) std::rethrow_exception(failure);

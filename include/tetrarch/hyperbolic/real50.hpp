@@ -19,4 +19,8 @@ using Real50 = boost::multiprecision::number<
 template <>
 Real50 pi<Real50>();
 
+/// Gives back what MPFR caches for the calling thread (digits of pi and the like). A thread that computed
+/// with Real50 calls it last, or the cache is lost with the thread.
+void free_thread_cache();
+
 } // namespace tetrarch::hyperbolic
