@@ -157,6 +157,15 @@ std::vector<int> stored_tables() {
   return found;
 }
 
+std::vector<Manifold> require_table(int tetrahedra) {
+  std::vector<Manifold> table = stored_table(tetrahedra);
+  if (!table.empty()) return table;
+  std::string stored;
+  for (const int n : stored_tables()) stored += (stored.empty() ? "" : ", ") + std::to_string(n);
+  throw InputError("no census table of " + std::to_string(tetrahedra) +
+                   " tetrahedra is stored (stored: " + (stored.empty() ? "none" : stored) + ")");
+}
+
 std::optional<Manifold> find_by_name(std::string_view name) {
   for (const int n : stored_tables()) {
     if (name.substr(0, 5) != "fmp" + std::to_string(n) + "_") continue;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "tetrarch/census/validate.hpp"
 
-#include "tetrarch/core/error.hpp"
 #include "tetrarch/core/signature.hpp"
 #include "tetrarch/hyperbolic/hyperbolize.hpp"
 #include "tetrarch/hyperbolic/real50.hpp"
@@ -101,9 +100,7 @@ std::optional<Published> published(int tetrahedra) {
 }
 
 Validation validate(int tetrahedra, int threads, const Progress& progress) {
-  const std::vector<Manifold> table = stored_table(tetrahedra);
-  if (table.empty())
-    throw InputError("no census table of " + std::to_string(tetrahedra) + " tetrahedra is stored");
+  const std::vector<Manifold> table = require_table(tetrahedra);
   Validation out;
   out.tetrahedra = tetrahedra;
   const Classification fresh = classify_manifolds(tetrahedra, threads, progress);

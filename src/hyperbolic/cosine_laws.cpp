@@ -7,6 +7,26 @@
 #include <cmath>
 
 namespace tetrarch::hyperbolic {
+namespace {
+
+/// The sides of all truncation triangles: that of vertex i in face l is side(i, j, k, l), where j and k are
+/// the other two vertices of the face. It joins the corners on the edges ij and ik; opposite lies the corner
+/// on il.
+template <class Scalar, class Side>
+TriangleSides<Scalar> all_sides(const Side& side) {
+  TriangleSides<Scalar> sides;
+  for (int i = 0; i < 4; ++i) {
+    sides[i][i] = 0;
+    for (int l = 0; l < 4; ++l) {
+      if (l == i) continue;
+      const int j = face_vertex[l][face_corner(l, i) == 0 ? 1 : 0];
+      sides[i][l] = side(i, j, 6 - i - j - l, l);
+    }
+  }
+  return sides;
+}
+
+} // namespace
 
 template <class Scalar>
 Scalar triangle_side(const Scalar& angle, const Scalar& a, const Scalar& b) {
@@ -34,36 +54,16 @@ Scalar hexagon_side(const Scalar& opposite, const Scalar& a, const Scalar& b) {
 
 template <class Scalar>
 TriangleSides<Scalar> triangle_sides_from_lengths(const SixNumbers<Scalar>& lengths) {
-  TriangleSides<Scalar> side;
-  for (int i = 0; i < 4; ++i) {
-    side[i][i] = 0;
-    for (int l = 0; l < 4; ++l) {
-      if (l == i) continue;
-      const int j = face_vertex[l][face_corner(l, i) == 0 ? 1 : 0];
-      const int k = 6 - i - j - l;
-      side[i][l] =
-          hexagon_side(lengths[edge_number[j][k]], lengths[edge_number[i][j]], lengths[edge_number[i][k]]);
-    }
-  }
-  return side;
+  return all_sides<Scalar>([&](int i, int j, int k, int) {
+    return hexagon_side(lengths[edge_number[j][k]], lengths[edge_number[i][j]], lengths[edge_number[i][k]]);
+  });
 }
 
 template <class Scalar>
 TriangleSides<Scalar> triangle_sides_from_angles(const SixNumbers<Scalar>& angles) {
-  TriangleSides<Scalar> side;
-  for (int i = 0; i < 4; ++i) {
-    side[i][i] = 0;
-    for (int l = 0; l < 4; ++l) {
-      if (l == i) continue;
-      // The side in face l joins the corners on the face's edges ij and ik; opposite it lies the corner on
-      // il.
-      const int j = face_vertex[l][face_corner(l, i) == 0 ? 1 : 0];
-      const int k = 6 - i - j - l;
-      side[i][l] =
-          triangle_side(angles[edge_number[i][l]], angles[edge_number[i][j]], angles[edge_number[i][k]]);
-    }
-  }
-  return side;
+  return all_sides<Scalar>([&](int i, int j, int k, int l) {
+    return triangle_side(angles[edge_number[i][l]], angles[edge_number[i][j]], angles[edge_number[i][k]]);
+  });
 }
 
 template <class Scalar>

@@ -61,6 +61,8 @@ std::vector<Manifold> read_table(std::string_view text, const std::string& sourc
 std::string_view stored_table_text(int tetrahedra);
 /// The compiled-in table; empty if there is none. Parsed at each call.
 std::vector<Manifold> stored_table(int tetrahedra);
+/// The same, but throws InputError that says which tables are stored if there is none.
+std::vector<Manifold> require_table(int tetrahedra);
 /// The numbers of tetrahedra for which there are tables, increasing.
 std::vector<int> stored_tables();
 /// Looks a name up in the compiled-in tables.
