@@ -74,7 +74,7 @@ std::optional<Mend<Scalar>> mend(const Decorated<Scalar>& m, TetFace f, const Ac
     (s < 0 ? negative : zero) += 1;
   }
   if (negative + zero == 0) {
-    auto ball = moves::two_three(m.tri, f);
+    auto ball = moves::two_three_ball(m.tri, f);
     if (!std::holds_alternative<moves::Ball>(ball)) return std::nullopt;
     return Mend<Scalar>{std::get<moves::Ball>(std::move(ball)), 3, 4, product_across(m, f, across)};
   }
@@ -86,15 +86,15 @@ std::optional<Mend<Scalar>> mend(const Decorated<Scalar>& m, TetFace f, const Ac
     if (v != odd_one) ends[count++] = v;
   const DirectedTetEdge edge{f.tet, ends[0], ends[1]};
   if (negative == 1) {
-    auto ball = moves::three_two(m.tri, edge);
+    auto ball = moves::three_two_ball(m.tri, edge);
     if (!std::holds_alternative<moves::Ball>(ball)) return std::nullopt;
     return Mend<Scalar>{std::get<moves::Ball>(std::move(ball)), 0, 0, Scalar(0)};
   }
   doubtful = true; // the coordinate is zero, as far as can be seen
-  auto ball = moves::four_four(m.tri, edge, 0);
+  auto ball = moves::four_four_ball(m.tri, edge, 0);
   if (!std::holds_alternative<moves::Ball>(ball)) return std::nullopt;
   const int corner = std::get<moves::Ball>(ball).before[0].corners[f.face];
-  if (corner % 2 == 1) ball = moves::four_four(m.tri, edge, 1);
+  if (corner % 2 == 1) ball = moves::four_four_ball(m.tri, edge, 1);
   return Mend<Scalar>{std::get<moves::Ball>(std::move(ball)), corner, (corner + 2) % 4,
                       product_across(m, f, across)};
 }
@@ -141,14 +141,14 @@ Triangulation shaken(Triangulation tri, std::mt19937_64& random) {
   const auto below = [&random](int n) { return static_cast<int>(random() % static_cast<std::uint64_t>(n)); };
   const int wanted = 2 + below(4);
   for (int made = 0, tries = 0; made < wanted && tries < 200; ++tries) {
-    const auto ball = moves::two_three(tri, {below(tri.size()), below(4)});
+    const auto ball = moves::two_three_ball(tri, {below(tri.size()), below(4)});
     if (!std::holds_alternative<moves::Ball>(ball)) continue;
     tri = moves::replace(tri, std::get<moves::Ball>(ball)).tri;
     ++made;
   }
   for (int tries = 0; tries < 40 * wanted; ++tries) {
     const int i = below(4);
-    const auto ball = moves::three_two(tri, {below(tri.size()), i, (i + 1 + below(3)) % 4});
+    const auto ball = moves::three_two_ball(tri, {below(tri.size()), i, (i + 1 + below(3)) % 4});
     if (std::holds_alternative<moves::Ball>(ball)) tri = moves::replace(tri, std::get<moves::Ball>(ball)).tri;
   }
   return tri;

@@ -23,14 +23,22 @@ struct Walk {
   TetFace left_face() const { return {tet, hold[3]}; }
   TetFace right_face() const { return {tet, hold[2]}; }
 
-  /// False, and nothing happens, if the left face is on the boundary.
-  bool step_left(const Triangulation& tri) { return cross(tri, left_face()); }
-  bool step_right(const Triangulation& tri) { return cross(tri, right_face()); }
+  /// False, and nothing happens, if the left face is on the boundary. `tri` is whatever knows its gluings: a
+  /// Triangulation, or a moves::Complex.
+  template <class Gluings>
+  bool step_left(const Gluings& tri) {
+    return cross(tri, left_face());
+  }
+  template <class Gluings>
+  bool step_right(const Gluings& tri) {
+    return cross(tri, right_face());
+  }
 
   friend constexpr bool operator==(Walk, Walk) = default;
 
 private:
-  bool cross(const Triangulation& tri, TetFace f) {
+  template <class Gluings>
+  bool cross(const Gluings& tri, TetFace f) {
     const Gluing g = tri.gluing(f);
     if (g.tet < 0) return false;
     *this = {g.tet, g.perm * hold * Perm4::swap(2, 3)};

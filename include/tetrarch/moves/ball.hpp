@@ -12,10 +12,12 @@
 ///     2-3: corners 0,1,2 of the shared face, apices 3 and 4;  {0123, 0124}  ->  {0134, 1234, 2034}
 ///     4-4: axis 4,5 and the ring 0,1,2,3 around it; the new axis is 0,2
 
-#include "tetrarch/core/skeleton.hpp"
 #include "tetrarch/core/triangulation.hpp"
+#include "tetrarch/moves/complex.hpp"
+#include "tetrarch/moves/obstacle.hpp"
 
 #include <array>
+#include <boost/container/small_vector.hpp>
 #include <variant>
 #include <vector>
 
@@ -28,45 +30,54 @@ struct Placed {
   Corners corners{};
 };
 
-/// The two sides of a move.
+/// The two sides of a move: at most six corners, drawn as a simplicial complex.
 struct Ball {
-  std::vector<Placed> before;
-  std::vector<Corners> after;
+  boost::container::small_vector<Placed, 4> before;
+  boost::container::small_vector<Corners, 4> after;
 };
 
+/// Replaces the ball in place: `last_change().new_tets` are in the order of the filling, vertex v at corner
+/// after[k][v]. Throws PreconditionError, before anything is changed, if the two sides do not have the same
+/// boundary. O(1).
+void replace(Complex& complex, const Ball& ball);
+
 /// The new triangulation, and how tetrahedra were renamed: image[t] of an old one (-1: removed). The new
-/// tetrahedra are numbered from `first_new` on, in the order of the filling, vertex v at corner after[k][v].
+/// tetrahedra are numbered from `first_new` on, in the order of the filling.
 struct Replaced {
   Triangulation tri;
   std::vector<int> image;
   int first_new = 0;
 };
-
-/// Replaces the ball. Throws PreconditionError if the two sides do not have the same boundary. O(n).
+/// The same of a triangulation that stays as it is. O(n).
 Replaced replace(const Triangulation& tri, const Ball& ball);
-
-/// Why a move cannot be made.
-enum class Obstacle {
-  boundary_face,       ///< the face or the edge lies on the boundary
-  wrong_valence,       ///< the edge does not have the valence that the move needs
-  repeated_tetrahedron ///< one tetrahedron would be needed twice
-};
-const char* to_string(Obstacle obstacle);
 
 /// A move that can be made, or the reason why not.
 using BallOrObstacle = std::variant<Ball, Obstacle>;
 
+// The makers below take whatever knows its gluings: a Triangulation or a Complex. O(1).
+
+/// One tetrahedron makes room for four around a new vertex at corner 4; its vertices are corners 0..3.
+template <class Gluings>
+[[nodiscard]] BallOrObstacle one_four_ball(const Gluings& tri, int tet);
+
+/// The four tetrahedra around a vertex, corner 4, make room for one with corners 0..3.
+template <class Gluings>
+[[nodiscard]] BallOrObstacle four_one_ball(const Gluings& tri, TetVertex v);
+
 /// The two tetrahedra at face f make room for three around a new edge from corner 3 to corner 4. Vertex
-/// f.face of f.tet is corner 3; the vertices of face f are corners 0,1,2 in increasing order. O(1).
-[[nodiscard]] BallOrObstacle two_three(const Triangulation& tri, TetFace f);
+/// f.face of f.tet is corner 3; the vertices of face f are corners 0,1,2 in increasing order.
+template <class Gluings>
+[[nodiscard]] BallOrObstacle two_three_ball(const Gluings& tri, TetFace f);
 
 /// The three tetrahedra around the edge, corners 3 (from) and 4 (to), make room for two with the common face
-/// 0,1,2. O(1).
-[[nodiscard]] BallOrObstacle three_two(const Triangulation& tri, DirectedTetEdge e);
+/// 0,1,2.
+template <class Gluings>
+[[nodiscard]] BallOrObstacle three_two_ball(const Gluings& tri, DirectedTetEdge e);
 
 /// The four tetrahedra around the edge, corners 4 (from) and 5 (to), are replaced by four around the edge
 /// that joins two opposite corners of the ring 0,1,2,3; the third vertex of the first tetrahedron (the left
-/// one when held by e) is corner 0. `axis` 0 joins corners 0 and 2, `axis` 1 joins 1 and 3. O(1).
-[[nodiscard]] BallOrObstacle four_four(const Triangulation& tri, DirectedTetEdge e, int axis);
+/// one when held by e) is corner 0. `axis` 0 joins corners 0 and 2, `axis` 1 joins 1 and 3.
+template <class Gluings>
+[[nodiscard]] BallOrObstacle four_four_ball(const Gluings& tri, DirectedTetEdge e, int axis);
 
 } // namespace tetrarch::moves

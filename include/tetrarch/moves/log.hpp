@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+/// A move as a value: to be asked about, made, written down, and made again.
+///
+/// A log replays on a Complex of the triangulation it was recorded from, because slots are taken and freed in
+/// a fixed order. As text a move is a line: its name, the slot of its tetrahedron, and what else it needs:
+///
+///     merge 17 0 2          vertex 0 of tetrahedron 17 into its vertex 2
+///     two_three 4 1         across face 1;  three_two 4 0 1: around the edge from 0 to 1
+///     four_four 4 0 1 1     around that edge, axis 1;  zero_two_edge 4 0 1 2: two left steps apart
+
+#include "tetrarch/moves/complex.hpp"
+#include "tetrarch/moves/obstacle.hpp"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace tetrarch::moves {
+
+enum class MoveKind : std::uint8_t {
+  merge,           ///< tet, a: from, b: to
+  one_four,        ///< tet
+  four_one,        ///< tet, a: vertex
+  two_three,       ///< tet, a: face
+  three_two,       ///< tet, a: from, b: to
+  four_four,       ///< tet, a: from, b: to, n: axis
+  two_zero_edge,   ///< tet, a: from, b: to
+  two_zero_vertex, ///< tet, a: vertex
+  two_one,         ///< tet, a: from, b: to
+  zero_two_edge,   ///< tet, a: from, b: to, n: turn
+  zero_two_face,   ///< tet, a: face
+  open_book,       ///< tet, a: face
+  close_book,      ///< tet, a: from, b: to
+  shell,           ///< tet
+  cone,            ///< tet, a: face: the boundary component with this triangle
+  pack             ///< no move, but a renumbering: Complex::pack
+};
+
+inline constexpr int move_kind_count = 16;
+
+struct Move {
+  MoveKind kind = MoveKind::merge;
+  int tet = -1;
+  int a = 0;
+  int b = 0;
+  int n = 0;
+
+  DirectedTetEdge edge() const { return {tet, a, b}; }
+  TetFace face() const { return {tet, a}; }
+  TetVertex vertex() const { return {tet, a}; }
+  std::string str() const;
+  friend bool operator==(const Move&, const Move&) = default;
+};
+using MoveLog = std::vector<Move>;
+
+/// The move that a line spells. Throws InputError that says what was found and what was expected.
+Move parse_move(std::string_view line);
+
+/// Asking and doing. Throws PreconditionError if there is no such tetrahedron, or a local number is out of
+/// range. Costs as documented with the moves; asking about a cone copies the complex.
+[[nodiscard]] MaybeObstacle why_not_apply(const Complex& complex, const Move& move);
+[[nodiscard]] MaybeObstacle apply(Complex& complex, const Move& move);
+
+/// Makes all moves; the first that cannot be made is left out with all after it, and is returned.
+struct Refused {
+  std::size_t index;
+  Obstacle obstacle;
+};
+[[nodiscard]] std::optional<Refused> replay(Complex& complex, const MoveLog& log);
+
+} // namespace tetrarch::moves

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+/// Fewer tetrahedra, the same manifold.
+///
+/// First greedily: a worklist of tetrahedra, from which moves that remove tetrahedra are made wherever they
+/// are legal (3-2, 2-0, 2-1, vertex merges with the edge of largest valence first, shelling, closing of
+/// books), and only the neighbourhood of a move is looked at again. Large edges first is what matters: a
+/// merge removes as many tetrahedra as meet at its edge, and edges of small valence leave through 3-2 and 2-0
+/// moves instead; merging in any order was forty times slower on a ball of three million tetrahedra, because
+/// a few edges then grow without bound. Then by chance: random 2-3 and 4-4 moves, greed again, and the result
+/// is kept if it is no larger; until a budget of such excursions in a row has won nothing.
+/// Source: Yin, section 4.2.2, steps [1] and [3].
+
+#include "tetrarch/core/progress.hpp"
+#include "tetrarch/moves/complex.hpp"
+#include "tetrarch/moves/log.hpp"
+
+#include <functional>
+
+namespace tetrarch::moves {
+
+struct SimplifyOptions {
+  std::uint64_t seed = 1;
+  /// Excursions in a row that win nothing, after which the result stands: so many for each tetrahedron left,
+  /// but at least and at most so many in all. One takes about 4 microseconds for each tetrahedron.
+  int excursions_per_tet = 100;
+  int least_excursions = 500;
+  int most_excursions = 10'000;
+  /// Merge along boundary edges, shell and close books; otherwise the boundary stays as it is.
+  bool change_boundary = true;
+  /// Every move made is appended.
+  MoveLog* log = nullptr;
+  /// Called after every so many moves, for instance to compare with an independent `Skeleton`.
+  std::function<void(const Complex&)> audit;
+  int audit_every = 1000;
+};
+
+/// How many moves of each kind were made, by MoveKind; those of rejected excursions do not count.
+struct MoveCounts {
+  std::array<long long, move_kind_count> of{};
+  long long operator[](MoveKind kind) const { return of[static_cast<std::size_t>(kind)]; }
+  long long total() const;
+};
+
+/// The greedy part alone. Near-linear: about 0.5 microseconds per tetrahedron on cubes and meshes, measured
+/// up to 3,000,000. Every move lowers (tetrahedra, boundary faces), so it ends.
+MoveCounts reduce(Complex& complex, const SimplifyOptions& options = {}, const Progress& progress = {});
+
+struct Simplification {
+  MoveCounts counts;
+  /// What became of each vertex of before; -1: it is gone.
+  Table<VertexId, VertexId> vertices;
+};
+
+/// Both parts. What is left is a local minimum: no single reducing move applies, and the last excursions
+/// found nothing smaller. Smaller triangulations may exist. Finite vertices are removed before tetrahedra are
+/// counted. The complex comes out packed. Deterministic for a seed.
+Simplification simplify(Complex& complex, const SimplifyOptions& options = {}, const Progress& progress = {});
+
+/// The same of a triangulation that stays as it is.
+Triangulation simplified(const Triangulation& tri, const SimplifyOptions& options = {},
+                         const Progress& progress = {});
+
+/// `count` random moves that keep the manifold: 2-3 on a random face or 4-4 at a random edge, with equal
+/// chances. Attempts that are illegal count.
+void shake(Complex& complex, int count, std::uint64_t& state, MoveLog* log = nullptr);
+
+} // namespace tetrarch::moves

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "tetrarch/moves/merge.hpp"
+
+#include "flatten.hpp"
+
+#include <algorithm>
+#include <set>
+
+namespace tetrarch::moves {
+namespace {
+
+MaybeObstacle why_not_ends(const Complex& complex, DirectedTetEdge e, bool on_boundary) {
+  const VertexId from = complex.vertex({e.tet, e.from});
+  const VertexId to = complex.vertex({e.tet, e.to});
+  if (from == to) return Obstacle::same_ends;
+  const LinkKind a = complex.link(from);
+  const LinkKind b = complex.link(to);
+  if (a == LinkKind::sphere || b == LinkKind::sphere) return std::nullopt;
+  if (a == LinkKind::bad || b == LinkKind::bad) return Obstacle::bad_vertex;
+  if (on_boundary && a == LinkKind::disk && b == LinkKind::disk) return std::nullopt;
+  return Obstacle::both_ends_on_boundary;
+}
+
+bool contains_twice(const Complex& complex, const Ring& ring) {
+  bool twice = false;
+  for (const Walk& w : ring) {
+    twice = twice || complex.mark(w.tet) != 0;
+    complex.set_mark(w.tet, 1);
+  }
+  for (const Walk& w : ring) complex.set_mark(w.tet, 0);
+  return twice;
+}
+
+/// Whether the boundary sphere at a boundary edge consists of the two triangles there.
+bool two_triangles(const Complex& complex, const Ring& ring) {
+  const TetFace first = ring.front().right_face();
+  const TetFace last = ring.back().left_face();
+  const auto other_side = [&complex](TetFace f, int opposite) {
+    // The boundary triangle across the side of f that lies opposite `opposite`.
+    Walk w{f.tet, Perm4()};
+    std::array<int, 2> ends{};
+    int k = 0;
+    for (const int v : face_vertex[f.face])
+      if (v != opposite) ends[k++] = v;
+    w.hold = Perm4(ends[0], ends[1], f.face, opposite);
+    while (w.step_left(complex)) {
+    }
+    return w.left_face();
+  };
+  for (const TetFace f : {first, last})
+    for (const int v : face_vertex[f.face]) {
+      const TetFace next = other_side(f, v);
+      if (next != first && next != last) return false;
+    }
+  return true;
+}
+
+/// Everything about a merge that is decided before it is made.
+MaybeObstacle plan_merge(const Complex& complex, DirectedTetEdge e, Flattening& flat) {
+  const EdgeId edge = complex.edge(e);
+  if (complex.is_reversed(edge)) return Obstacle::reversed_edge;
+  const bool on_boundary = complex.is_boundary(edge);
+  if (const auto obstacle = why_not_ends(complex, e, on_boundary)) return obstacle;
+  const Ring ring = complex.around(e);
+  if (contains_twice(complex, ring)) return Obstacle::repeated_tetrahedron;
+  if (on_boundary && two_triangles(complex, ring)) return Obstacle::small_boundary_component;
+  for (const Walk& w : ring) {
+    const auto [from, to, left, right] = std::array{w.hold[0], w.hold[1], w.hold[2], w.hold[3]};
+    (void)left;
+    flat.tets.push_back(w.tet);
+    flat.faces.push_back({{w.tet, from}, {w.tet, to}, Perm4::swap(from, to)});
+    flat.edges.push_back(
+        {complex.edge(DirectedTetEdge{w.tet, from, right}), complex.edge(DirectedTetEdge{w.tet, to, right})});
+  }
+  if (!on_boundary) return why_not_flatten(complex, flat);
+  // The two boundary triangles are no obstacle but take part in the merge: the right one of the first
+  // tetrahedron, which stands first in the list, and the left one of the last.
+  const Flattening::EdgePair first = flat.edges.front();
+  flat.edges.erase(flat.edges.begin());
+  if (const auto obstacle = why_not_flatten(complex, flat)) return obstacle;
+  const Walk& last = ring.back();
+  flat.edges.push_back(first);
+  flat.edges.push_back({complex.edge(DirectedTetEdge{last.tet, last.hold[0], last.hold[2]}),
+                        complex.edge(DirectedTetEdge{last.tet, last.hold[1], last.hold[2]})});
+  return std::nullopt;
+}
+
+} // namespace
+
+MaybeObstacle why_not_merge(const Complex& complex, DirectedTetEdge e) {
+  Flattening flat;
+  return plan_merge(complex, e, flat);
+}
+
+MaybeObstacle merge(Complex& complex, DirectedTetEdge e) {
+  Flattening flat;
+  if (const auto obstacle = plan_merge(complex, e, flat)) return obstacle;
+  const EdgeId edge = complex.edge(e);
+  const VertexId from = complex.vertex({e.tet, e.from});
+  const VertexId to = complex.vertex({e.tet, e.to});
+  const LinkKind link = complex.link(from) == LinkKind::sphere ? complex.link(to) : complex.link(from);
+  complex.begin_change();
+  flatten(complex, flat);
+  complex.remove_edge(edge);
+  complex.merge_vertices(from, to, link);
+  return std::nullopt;
+}
+
+MergeSets merge_sets(const Complex& complex, DirectedTetEdge e) {
+  const VertexId v1 = complex.vertex({e.tet, e.to});
+  const VertexId v2 = complex.vertex({e.tet, e.from});
+  MergeSets sets;
+  for (const Walk& w : complex.around(e)) sets.deleted.push_back(w.tet);
+  std::sort(sets.deleted.begin(), sets.deleted.end());
+  const auto is_deleted = [&sets](int t) {
+    return std::binary_search(sets.deleted.begin(), sets.deleted.end(), t);
+  };
+  const auto meets = [&complex](int t, VertexId v) {
+    for (int k = 0; k < 4; ++k)
+      if (complex.vertex({t, k}) == v) return true;
+    return false;
+  };
+  const auto touches_deleted = [&](int t) {
+    for (int f = 0; f < 4; ++f)
+      if (!complex.is_boundary({t, f}) && is_deleted(complex.partner({t, f}).tet)) return true;
+    return false;
+  };
+  // The star of v2, from the corner of the edge there; what it touches is all of T_III and T_IV.
+  std::set<std::pair<int, int>> seen{{e.tet, e.from}};
+  std::vector<TetVertex> pending{{e.tet, e.from}};
+  std::set<int> star;
+  while (!pending.empty()) {
+    const TetVertex at = pending.back();
+    pending.pop_back();
+    star.insert(at.tet);
+    for (int f = 0; f < 4; ++f) {
+      const Gluing g = complex.gluing({at.tet, f});
+      if (f == at.vertex || g.tet < 0 || !seen.emplace(g.tet, g.perm[at.vertex]).second) continue;
+      pending.push_back({g.tet, g.perm[at.vertex]});
+    }
+  }
+  for (const int t : star) {
+    if (is_deleted(t) || meets(t, v1)) continue;
+    (touches_deleted(t) ? sets.deformed_at_faces : sets.deformed_at_vertices).push_back(t);
+  }
+  std::set<int> hosting;
+  for (const int t : sets.deleted)
+    for (int f = 0; f < 4; ++f) {
+      const Gluing g = complex.gluing({t, f});
+      if (g.tet >= 0 && !is_deleted(g.tet) && meets(g.tet, v1) && !meets(g.tet, v2)) hosting.insert(g.tet);
+    }
+  sets.hosting.assign(hosting.begin(), hosting.end());
+  return sets;
+}
+
+} // namespace tetrarch::moves

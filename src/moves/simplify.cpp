@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "tetrarch/moves/simplify.hpp"
+
+#include <algorithm>
+#include <deque>
+#include <numeric>
+#include <tuple>
+
+namespace tetrarch::moves {
+namespace {
+
+/// SplitMix64 (Steele, Lea and Flood 2014), written out because <random>'s distributions differ between
+/// libraries.
+int below(std::uint64_t& state, int bound) {
+  std::uint64_t z = state += 0x9e3779b97f4a7c15U;
+  z = (z ^ (z >> 30U)) * 0xbf58476d1ce4e5b9U;
+  z = (z ^ (z >> 27U)) * 0x94d049bb133111ebU;
+  z ^= z >> 31U;
+  return static_cast<int>(((z >> 32U) * static_cast<std::uint64_t>(bound)) >> 32U);
+}
+
+/// Tetrahedra that wait to be looked at, each once.
+class Worklist {
+public:
+  void push(int tet) {
+    if (static_cast<std::size_t>(tet) >= waiting_.size())
+      waiting_.resize(2 * static_cast<std::size_t>(tet) + 64);
+    if (waiting_[static_cast<std::size_t>(tet)] != 0) return;
+    waiting_[static_cast<std::size_t>(tet)] = 1;
+    queue_.push_back(tet);
+  }
+  bool empty() const { return queue_.empty(); }
+  int pop() {
+    const int tet = queue_.front();
+    queue_.pop_front();
+    waiting_[static_cast<std::size_t>(tet)] = 0;
+    return tet;
+  }
+
+private:
+  std::deque<int> queue_;
+  std::vector<char> waiting_;
+};
+
+/// Makes moves, counts them, writes them down, and has them audited.
+class Mover {
+public:
+  Mover(Complex& complex, const SimplifyOptions& options) : complex_(complex), options_(options) {}
+
+  /// True if the move was legal and is made.
+  bool made(const Move& move) {
+    if (apply(complex_, move)) return false;
+    ++counts_.of[static_cast<std::size_t>(move.kind)];
+    if (options_.log != nullptr) options_.log->push_back(move);
+    if (options_.audit && ++since_audit_ >= options_.audit_every) {
+      since_audit_ = 0;
+      options_.audit(complex_);
+    }
+    return true;
+  }
+  const MoveCounts& counts() const { return counts_; }
+
+private:
+  Complex& complex_;
+  const SimplifyOptions& options_;
+  MoveCounts counts_;
+  int since_audit_ = 0;
+};
+
+/// The greedy part.
+class Reducer {
+public:
+  Reducer(Complex& complex, const SimplifyOptions& options)
+      : complex_(complex), options_(options), mover_(complex, options) {}
+
+  void look_at_all() {
+    for (int t = 0; t < complex_.slot_count(); ++t)
+      if (complex_.is_alive(t)) waiting_.push(t);
+  }
+  void look_at_last_change() {
+    for (const auto* tets : {&complex_.last_change().touched_tets, &complex_.last_change().new_tets})
+      for (const int t : *tets)
+        if (complex_.is_alive(t)) waiting_.push(t);
+  }
+  void run(const Progress& progress) {
+    constexpr int tets_between_reports = 4096;
+    const double start = std::max(1, complex_.size());
+    for (int looked = 1; !waiting_.empty(); ++looked) {
+      if (looked % tets_between_reports == 0) progress.step("simplifying", 1 - complex_.size() / start);
+      const int t = waiting_.pop();
+      if (!complex_.is_alive(t) || !improve_at(t)) continue;
+      look_at_last_change();
+      if (complex_.is_alive(t)) waiting_.push(t);
+    }
+  }
+  const MoveCounts& counts() const { return mover_.counts(); }
+
+private:
+  bool improve_at(int t) { return remove_small_edge(t) || merge_at(t) || improve_boundary(t); }
+
+  bool remove_small_edge(int t) {
+    for (int e = 0; e < 6; ++e) {
+      const EdgeId edge = complex_.edge(TetEdge{t, e});
+      if (complex_.valence(edge) > 3 || complex_.is_boundary(edge) || complex_.is_reversed(edge)) continue;
+      const auto [a, b] = edge_vertex[e];
+      switch (complex_.valence(edge)) {
+      case 3:
+        if (mover_.made({MoveKind::three_two, t, a, b})) return true;
+        break;
+      case 2:
+        if (mover_.made({MoveKind::two_zero_edge, t, a, b})) return true;
+        break;
+      default:
+        if (mover_.made({MoveKind::two_one, t, a, b}) || mover_.made({MoveKind::two_one, t, b, a}))
+          return true;
+      }
+    }
+    for (int v = 0; v < 4; ++v)
+      if (complex_.degree(complex_.vertex({t, v})) == 2 && mover_.made({MoveKind::two_zero_vertex, t, v}))
+        return true;
+    return false;
+  }
+
+  bool merge_at(int t) {
+    std::array<std::pair<int, int>, 6> edges;
+    for (int e = 0; e < 6; ++e) edges[e] = {-complex_.valence(complex_.edge(TetEdge{t, e})), e};
+    std::sort(edges.begin(), edges.end());
+    for (const auto& [valence, e] : edges) {
+      const auto [a, b] = edge_vertex[e];
+      const VertexId from = complex_.vertex({t, a});
+      const VertexId to = complex_.vertex({t, b});
+      if (from == to) continue;
+      const bool inside = complex_.link(from) == LinkKind::sphere || complex_.link(to) == LinkKind::sphere;
+      if ((inside || options_.change_boundary) && mover_.made({MoveKind::merge, t, a, b})) return true;
+    }
+    return false;
+  }
+
+  bool improve_boundary(int t) {
+    if (!options_.change_boundary) return false;
+    bool free = false;
+    for (int f = 0; f < 4; ++f) free = free || complex_.is_boundary(TetFace{t, f});
+    if (!free) return false;
+    if (mover_.made({MoveKind::shell, t})) return true;
+    for (int f = 0; f < 4; ++f) {
+      if (!complex_.is_boundary(TetFace{t, f})) continue;
+      const auto [i, j, k] = face_vertex[f];
+      for (const auto& [a, b] : {std::pair{i, j}, std::pair{j, k}, std::pair{i, k}})
+        if (mover_.made({MoveKind::close_book, t, a, b})) return true;
+    }
+    return false;
+  }
+
+  Complex& complex_;
+  const SimplifyOptions& options_;
+  Mover mover_;
+  Worklist waiting_;
+};
+
+/// What counts as smaller: finite vertices first, because they keep a manifold from being hyperbolized.
+std::tuple<int, int, int> weight(const Complex& complex) {
+  return {complex.vertex_count(), complex.size(), complex.boundary_face_count()};
+}
+
+/// Packs, and keeps account of the vertices' names.
+void pack(Complex& complex, Table<VertexId, VertexId>& vertices, MoveLog* log) {
+  const Complex::Renaming names = complex.pack();
+  for (VertexId& v : vertices)
+    if (v.value >= 0) v = names.vertex[v];
+  if (log != nullptr) log->push_back({MoveKind::pack});
+}
+
+} // namespace
+
+long long MoveCounts::total() const {
+  return std::accumulate(of.begin(), of.end(), 0LL);
+}
+
+MoveCounts reduce(Complex& complex, const SimplifyOptions& options, const Progress& progress) {
+  Reducer reducer(complex, options);
+  reducer.look_at_all();
+  reducer.run(progress);
+  return reducer.counts();
+}
+
+void shake(Complex& complex, int count, std::uint64_t& state, MoveLog* log) {
+  for (int k = 0; k < count && complex.size() > 0; ++k) {
+    int t = below(state, complex.slot_count());
+    while (!complex.is_alive(t)) t = (t + 1) % complex.slot_count();
+    Move move{MoveKind::two_three, t, below(state, 4)};
+    if (below(state, 2) == 0) {
+      const auto [a, b] = edge_vertex[below(state, 6)];
+      move = {MoveKind::four_four, t, a, b, below(state, 2)};
+    }
+    if (!apply(complex, move) && log != nullptr) log->push_back(move);
+  }
+}
+
+Simplification simplify(Complex& complex, const SimplifyOptions& options, const Progress& progress) {
+  Simplification out{{}, complex.all_vertices()};
+  out.counts = reduce(complex, options, progress);
+  pack(complex, out.vertices, options.log);
+  std::uint64_t state = options.seed;
+  MoveLog excursion;
+  SimplifyOptions greed = options;
+  greed.log = &excursion;
+  for (int fruitless = 0; complex.size() > 1; ++fruitless) {
+    const int budget = std::clamp(options.excursions_per_tet * complex.size(), options.least_excursions,
+                                  options.most_excursions);
+    if (fruitless >= budget) break;
+    progress.step("shaking", static_cast<double>(fruitless) / budget);
+    Complex trial = complex;
+    excursion.clear();
+    shake(trial, 1 + below(state, std::min(2 * trial.size(), 20)), state, &excursion);
+    Reducer reducer(trial, greed);
+    reducer.look_at_all();
+    reducer.run(progress.silent());
+    if (weight(trial) > weight(complex)) continue;
+    if (weight(trial) < weight(complex)) fruitless = -1;
+    complex = std::move(trial);
+    for (const Move& move : excursion) ++out.counts.of[static_cast<std::size_t>(move.kind)];
+    if (options.log != nullptr) options.log->insert(options.log->end(), excursion.begin(), excursion.end());
+    pack(complex, out.vertices, options.log);
+  }
+  return out;
+}
+
+Triangulation simplified(const Triangulation& tri, const SimplifyOptions& options, const Progress& progress) {
+  Complex complex(tri);
+  simplify(complex, options, progress);
+  return complex.triangulation();
+}
+
+} // namespace tetrarch::moves
