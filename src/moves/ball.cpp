@@ -10,7 +10,7 @@ namespace tetrarch::moves {
 namespace {
 
 constexpr int most_corners = 6;
-using Tets = boost::container::small_vector<Corners, 4>;
+using Tets = boost::container::static_vector<Corners, 4>;
 
 /// Three corners as a set of bits.
 unsigned face_key(const Corners& corners, int face) {
@@ -27,7 +27,7 @@ struct Faces {
     TetFace second;
   };
   std::array<Entry, 1U << most_corners> at;
-  boost::container::small_vector<unsigned, 16> keys; ///< in the order in which they are first met
+  boost::container::static_vector<unsigned, 16> keys; ///< in the order in which they are first met
 
   explicit Faces(const Tets& tets) {
     for (int k = 0; k < static_cast<int>(tets.size()); ++k)
@@ -159,7 +159,7 @@ void replace(Complex& complex, const Ball& ball) {
     Gluing gluing;
     int place = -1; ///< of gluing.tet in the ball, -1: outside
   };
-  boost::container::small_vector<Side, 16> sides;
+  boost::container::static_vector<Side, 16> sides;
   for (const unsigned key : old_faces.keys) {
     if (!old_faces.on_boundary(key)) continue;
     const auto [k, f] = old_faces.at[key].first;
@@ -172,7 +172,7 @@ void replace(Complex& complex, const Ball& ball) {
   complex.begin_change();
   for (const Placed& p : ball.before) complex.remove_tet(p.tet);
   remove_insides(complex, before, labels, ball.after);
-  boost::container::small_vector<int, 4> tets;
+  boost::container::static_vector<int, 4> tets;
   for (const Corners& corners : ball.after) tets.push_back(add_filling(complex, corners, labels));
 
   for (const unsigned key : new_faces.keys) {

@@ -10,16 +10,21 @@
 namespace tetrarch::moves {
 namespace {
 
+std::pair<int, int> other_corners(TetFace f, int corner) {
+  std::array<int, 2> others{};
+  int k = 0;
+  for (const int v : face_vertex[f.face])
+    if (v != corner) others[k++] = v;
+  return {others[0], others[1]};
+}
+
 /// The corner of an interior triangle where its two boundary edges meet; -1 if it has not exactly two.
 int spine_corner(const Complex& complex, TetFace f) {
   int corner = -1;
   int on_boundary = 0;
   for (const int v : face_vertex[f.face]) {
-    std::array<int, 2> others{};
-    int k = 0;
-    for (const int w : face_vertex[f.face])
-      if (w != v) others[k++] = w;
-    if (complex.is_boundary(complex.edge(DirectedTetEdge{f.tet, others[0], others[1]})))
+    const auto [i, j] = other_corners(f, v);
+    if (complex.is_boundary(complex.edge(DirectedTetEdge{f.tet, i, j})))
       ++on_boundary;
     else
       corner = v;
@@ -27,13 +32,18 @@ int spine_corner(const Complex& complex, TetFace f) {
   return on_boundary == 2 ? corner : -1;
 }
 
-/// Gives the part of a boundary edge on this side of a triangle that was just opened a class of its own.
+/// Gives the part of a boundary edge at this side of a triangle that was just opened a class of its own, unless
+/// it is all that is left of the class.
 void split_boundary_edge(Complex& complex, TetFace f, int a, int b) {
   const EdgeId whole = complex.edge(DirectedTetEdge{f.tet, a, b});
+  // f lies to the right: walk left, to the other end.
+  const Walk start{f.tet, Perm4(a, b, f.face, 6 - a - b - f.face)};
+  int piece = 1;
+  for (Walk w = start; w.step_left(complex);) ++piece;
+  if (piece == complex.valence(whole)) return;
   const EdgeId part = complex.add_edge(true);
   complex.note_split(whole, part);
-  // f lies to the right: walk left, to the other end.
-  Walk w{f.tet, Perm4(a, b, f.face, 6 - a - b - f.face)};
+  Walk w = start;
   do complex.relabel(w.edge(), part);
   while (w.step_left(complex));
 }
@@ -105,15 +115,8 @@ MaybeObstacle why_not_open_book(const Complex& complex, TetFace f) {
   if (complex.is_boundary(f)) return Obstacle::boundary_face;
   const int corner = spine_corner(complex, f);
   if (corner < 0) return Obstacle::no_boundary_face;
-  std::array<int, 2> ends{};
-  int k = 0;
-  for (const int v : face_vertex[f.face])
-    if (v != corner) ends[k++] = v;
-  if (complex.is_reversed(complex.edge(DirectedTetEdge{f.tet, ends[0], ends[1]})))
-    return Obstacle::reversed_edge;
-  if (complex.edge(DirectedTetEdge{f.tet, corner, ends[0]}) ==
-      complex.edge(DirectedTetEdge{f.tet, corner, ends[1]}))
-    return Obstacle::edges_form_cycle;
+  const auto [i, j] = other_corners(f, corner);
+  if (complex.is_reversed(complex.edge(DirectedTetEdge{f.tet, i, j}))) return Obstacle::reversed_edge;
   if (complex.link(complex.vertex({f.tet, corner})) != LinkKind::disk) return Obstacle::bad_vertex;
   return std::nullopt;
 }
@@ -122,13 +125,16 @@ MaybeObstacle open_book(Complex& complex, TetFace f) {
   if (const auto obstacle = why_not_open_book(complex, f)) return obstacle;
   complex.begin_change();
   const int corner = spine_corner(complex, f);
+  const auto [i, j] = other_corners(f, corner);
+  const Gluing g = complex.gluing(f);
+  const TetFace far = complex.partner(f);
+  complex.set_boundary(complex.edge(DirectedTetEdge{f.tet, i, j}), true);
   complex.unglue(f);
-  for (const int v : face_vertex[f.face])
-    if (v != corner) split_boundary_edge(complex, f, corner, v);
-  for (const int v : face_vertex[f.face])
-    for (const int w : face_vertex[f.face])
-      if (v != corner && w != corner && v < w)
-        complex.set_boundary(complex.edge(DirectedTetEdge{f.tet, v, w}), true);
+  // The two edges may be one class, which falls into three parts: so every side is asked.
+  for (const int v : {i, j}) {
+    split_boundary_edge(complex, f, corner, v);
+    split_boundary_edge(complex, far, g.perm[corner], g.perm[v]);
+  }
   split_vertex(complex, {f.tet, corner});
   return std::nullopt;
 }

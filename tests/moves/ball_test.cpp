@@ -104,7 +104,7 @@ TEST_CASE("a move that cannot be made names its obstacle", "[moves]") {
   CHECK(boundary == 4);
   // The knotted Y has one edge class, of valence 12.
   CHECK(std::get<Obstacle>(three_two_ball(from_signature("cPcbbbihq"), {0, 0, 1})) == Obstacle::wrong_valence);
-  CHECK(std::string(to_string(Obstacle::wrong_valence)) == "the edge has another valence");
+  CHECK(std::string(to_string(Obstacle::wrong_valence)) == "another number of tetrahedra meets there");
 }
 
 TEST_CASE("a filling with another boundary is refused", "[moves]") {
