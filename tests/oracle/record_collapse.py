@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Records which local moves Regina allows on some thousand small triangulations: regina_moves.txt.
 
-Run with Debian's python3 (package regina-normal); it rewrites the file beside itself, in about two minutes. The
+Run with Debian's python3 (package regina-normal); it rewrites the file beside itself, in half a minute. The
 triangulations: every connected gluing of one and of two tetrahedra up to isomorphism, boundary allowed (invalid ones
 too), and random ones of 3 to 8 tetrahedra of seven kinds, equally many of each. These come from ready-made examples by
 random moves, and by taking single tetrahedra out, which opens closed triangulations.

@@ -114,17 +114,16 @@ inline int order_index(int a, int b) {
   return -1;
 }
 
-/// x*y*z cubes of six tetrahedra; opposite sides are glued if `wrap`.
-inline Triangulation cubes(std::array<int, 3> size, bool wrap) {
-  Triangulation tri(6 * size[0] * size[1] * size[2]);
-  const auto first_tet = [&](const std::array<int, 3>& at) {
-    return 6 * ((at[0] * size[1] + at[1]) * size[2] + at[2]);
-  };
+/// The cubes of a grid, six tetrahedra each; opposite sides of the grid are glued if `wrap`. `first_tet(at)`
+/// is the first tetrahedron of the cube at those three coordinates, negative where there is no cube.
+template <class FirstTet>
+Triangulation cubes(const std::array<int, 3>& size, bool wrap, int count, FirstTet first_tet) {
+  Triangulation tri(6 * count);
   std::array<int, 3> at{};
   for (at[0] = 0; at[0] < size[0]; ++at[0])
     for (at[1] = 0; at[1] < size[1]; ++at[1])
       for (at[2] = 0; at[2] < size[2]; ++at[2])
-        for (int k = 0; k < 6; ++k) {
+        for (int k = 0; k < 6 && first_tet(at) >= 0; ++k) {
           const auto [a, b, c] = axis_order[k];
           const int t = first_tet(at) + k;
           // Inside the cube: exchanging two neighbouring steps keeps the three other corners of the way.
@@ -136,9 +135,16 @@ inline Triangulation cubes(std::array<int, 3> size, bool wrap) {
           // there.
           std::array<int, 3> next = at;
           if (++next[a] == size[a]) next[a] = 0;
-          if (wrap || next[a] > 0) tri.glue({t, 0}, first_tet(next) + order_index(b, c), Perm4(3, 0, 1, 2));
+          if ((!wrap && next[a] == 0) || first_tet(next) < 0) continue;
+          tri.glue({t, 0}, first_tet(next) + order_index(b, c), Perm4(3, 0, 1, 2));
         }
   return tri;
+}
+
+inline Triangulation all_cubes(const std::array<int, 3>& size, bool wrap) {
+  return cubes(size, wrap, size[0] * size[1] * size[2], [&](const std::array<int, 3>& at) {
+    return 6 * ((at[0] * size[1] + at[1]) * size[2] + at[2]);
+  });
 }
 
 } // namespace detail
@@ -146,13 +152,13 @@ inline Triangulation cubes(std::array<int, 3> size, bool wrap) {
 /// A ball of x*y*z cubes, each split into six tetrahedra around its diagonal: 6xyz tetrahedra,
 /// (x+1)(y+1)(z+1) vertices.
 inline Triangulation cubical_ball(int x, int y, int z) {
-  return detail::cubes({x, y, z}, false);
+  return detail::all_cubes({x, y, z}, false);
 }
 
 /// The 3-torus of x*y*z cubes: 6xyz tetrahedra, xyz vertices, 7xyz edges. Its symmetries are transitive on
 /// cubes.
 inline Triangulation cubical_torus(int x, int y, int z) {
-  return detail::cubes({x, y, z}, true);
+  return detail::all_cubes({x, y, z}, true);
 }
 
 } // namespace tetrarch::support
