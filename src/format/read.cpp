@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "tetrarch/format/read.hpp"
 
+#include "inflate.hpp"
+
 #include "tetrarch/core/signature.hpp"
 #include "tetrarch/format/fmp.hpp"
 #include "tetrarch/format/json.hpp"
+#include "tetrarch/format/orb.hpp"
+#include "tetrarch/format/regina.hpp"
 #include "tetrarch/format/snappea.hpp"
 #include "tetrarch/format/text.hpp"
 
@@ -12,8 +16,8 @@
 namespace tetrarch::format {
 namespace {
 
-constexpr std::string_view any_triangulation =
-    "a triangulation: Tetrarch JSON, a SnapPea file, a census record or an isomorphism signature";
+constexpr std::string_view any_triangulation = "a triangulation: Tetrarch JSON, a SnapPea, Regina or Orb "
+                                               "file, a census record or an isomorphism signature";
 
 /// Some editors begin UTF-8 files with this mark.
 constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
@@ -81,6 +85,10 @@ std::string name_of(FileFormat format) {
     return "signature";
   case FileFormat::fmp:
     return "fmp";
+  case FileFormat::regina:
+    return "regina";
+  case FileFormat::orb:
+    return "orb";
   }
   throw PreconditionError("no such file format");
 }
@@ -91,15 +99,19 @@ std::optional<FileFormat> format_for_extension(std::string_view path) {
   if (extension == ".tri") return FileFormat::snappea;
   if (extension == ".sig" || extension == ".txt") return FileFormat::signature;
   if (extension == ".fmp") return FileFormat::fmp;
+  if (extension == ".rga") return FileFormat::regina;
+  if (extension == ".orb") return FileFormat::orb;
   return std::nullopt;
 }
 
 std::optional<FileFormat> recognise(std::string_view text, const std::string& source) {
+  if (text.substr(0, gzip_mark.size()) == gzip_mark) return FileFormat::regina;
   TextCursor in(text, source);
   if (in.at_end() || is_control(in.next_char())) return std::nullopt;
   const std::string_view first = in.token("");
   if (first.front() == '{') return FileFormat::json;
-  if (first.front() == '%') return FileFormat::snappea;
+  if (first.front() == '<') return FileFormat::regina;
+  if (first.front() == '%') return in.peek() == "orb" ? FileFormat::orb : FileFormat::snappea;
   const std::optional<FileFormat> hint = format_for_extension(source);
   if (first.size() <= longest_count && is_digits(first)) return hint.value_or(FileFormat::fmp);
   if (in.at_end() || hint) return hint.value_or(FileFormat::signature);
@@ -111,11 +123,11 @@ Document read_any(std::string_view text, const std::string& source) {
   TextCursor in(text, source);
   if (in.at_end())
     throw InputError(Place{source, 0}, "the text is empty, expected " + std::string(any_triangulation));
-  if (is_control(in.next_char()))
+  const std::optional<FileFormat> format = recognise(text, source);
+  if (!format && is_control(in.next_char()))
     throw InputError(in.here(), "found a binary file (a byte of value " +
                                     std::to_string(static_cast<int>(in.next_char())) + "), expected " +
                                     std::string(any_triangulation));
-  const std::optional<FileFormat> format = recognise(text, source);
   if (!format) in.fail_at(in.peek(), any_triangulation);
   switch (*format) {
   case FileFormat::json:
@@ -126,6 +138,10 @@ Document read_any(std::string_view text, const std::string& source) {
     return read_signature(text, source);
   case FileFormat::fmp:
     return read_single_fmp(text, source);
+  case FileFormat::regina:
+    return read_regina(text, source);
+  case FileFormat::orb:
+    return read_orb(text, source);
   }
   throw PreconditionError("no such file format");
 }
@@ -144,6 +160,10 @@ Written write_any(const Document& document, FileFormat format) {
     return {signature(document.triangulation) + "\n", {}};
   case FileFormat::fmp:
     return {write_fmp({fmp_record_of(document)}), {}};
+  case FileFormat::regina:
+  case FileFormat::orb:
+    throw InputError("the format " + name_of(format) +
+                     " is read only, expected json, snappea, signature or fmp");
   }
   throw PreconditionError("no such file format");
 }

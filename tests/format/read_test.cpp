@@ -22,8 +22,8 @@ std::string complaint(const std::string& text, const std::string& source = "f") 
   return error_of([&] { read_any(text, source); });
 }
 
-const std::string any =
-    "a triangulation: Tetrarch JSON, a SnapPea file, a census record or an isomorphism signature";
+const std::string any = "a triangulation: Tetrarch JSON, a SnapPea, Regina or Orb file, a census record or "
+                        "an isomorphism signature";
 
 /// The first way in which `tri` does not survive the formats that can hold it; empty if there is none.
 std::string broken_round_trip(const Triangulation& tri) {
@@ -48,6 +48,9 @@ std::string broken_round_trip(const Triangulation& tri) {
 TEST_CASE("formats are known by their content, then by their extension", "[read]") {
   CHECK(recognise("  {", "f.tri") == FileFormat::json);
   CHECK(recognise("% Triangulation\n", "f.json") == FileFormat::snappea);
+  CHECK(recognise("% orb\nname", "f.tri") == FileFormat::orb);
+  CHECK(recognise("<?xml version=\"1.0\"?>", "f") == FileFormat::regina);
+  CHECK(recognise("\x1f\x8b\x08", "f") == FileFormat::regina);
   CHECK(recognise("2\n1 1 1 1", "f") == FileFormat::fmp);
   CHECK(recognise("2", "f") == FileFormat::fmp);
   CHECK(recognise("cPcbbbiht\n", "f") == FileFormat::signature);
@@ -59,6 +62,8 @@ TEST_CASE("formats are known by their content, then by their extension", "[read]
   CHECK(format_for_extension("b.sig") == FileFormat::signature);
   CHECK(format_for_extension("b.x.txt") == FileFormat::signature);
   CHECK(format_for_extension("b.fmp") == FileFormat::fmp);
+  CHECK(format_for_extension("b.rga") == FileFormat::regina);
+  CHECK(format_for_extension("b.orb") == FileFormat::orb);
   CHECK_FALSE(format_for_extension("json"));
   CHECK_FALSE(format_for_extension("b.json/file"));
   CHECK_FALSE(format_for_extension("-"));

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+/// The solid inside a closed surface, filled with tetrahedra by the program TetGen.
+///
+/// TetGen (Si, ACM Trans. Math. Software 41, 2015; Debian package `tetgen`) is not part of Tetrarch: if it is
+/// installed it is run, as a process of its own in a temporary directory that is removed afterwards. The
+/// surface stays as it is (TetGen's option -Y): points are added inside only.
+
+#include "tetrarch/core/progress.hpp"
+#include "tetrarch/format/soup.hpp"
+
+#include <string>
+
+namespace tetrarch::mesh {
+
+/// Throws InputError, naming the first triangle or vertex at fault, unless the triangles of `surface` make
+/// one closed surface, each edge of it run through once in either direction, around each vertex one disk. O(n
+/// log n).
+void require_closed_surface(const format::Soup& surface);
+
+/// The solid as a soup of TetGen's tetrahedra; its points begin with those of the surface. `program` is
+/// looked up in PATH. Throws InputError if the surface is not as above, if the program is missing (it names
+/// the package), or if it fails (its last line of output says why: the surface may meet itself). Stopping
+/// ends the process.
+format::Soup fill(const format::Soup& surface, const Progress& progress = {},
+                  const std::string& program = "tetgen");
+
+} // namespace tetrarch::mesh

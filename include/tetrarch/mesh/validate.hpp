@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+/// What is wrong with a soup of tetrahedra, all of it, by the numbers that the file uses.
+///
+/// | kind                | severity   | what was seen                                                |
+/// | ------------------- | ---------- | ------------------------------------------------------------ |
+/// | no_tetrahedra       | fatal      | the soup holds none                                          |
+/// | not_finite          | fatal      | a coordinate is infinite or no number                        |
+/// | index_out_of_range  | fatal      | a tetrahedron names a point that is not there                |
+/// | repeated_vertex     | fatal      | a tetrahedron names a point twice                            |
+/// | duplicate           | repairable | a tetrahedron names the same four points as an earlier one   |
+/// | face_shared         | fatal      | three or more different tetrahedra lie on one face           |
+/// | non_manifold_edge   | fatal      | the tetrahedra around an edge fall apart into several fans   |
+/// | non_manifold_vertex | fatal      | the link of a vertex on no such edge is neither sphere nor   |
+/// |                     |            | disk                                                         |
+/// | inverted            | repairable | the volume is negative, decided exactly                      |
+/// | flat                | remark     | the volume is zero, decided exactly                          |
+/// | unused_vertex       | repairable | a point is in no tetrahedron                                 |
+/// | several_components  | remark     | the tetrahedra are not all connected through faces           |
+///
+/// Fatal findings keep a soup from being a mesh; repairable ones too where the promise of `TetMesh` asks for
+/// it (duplicates), else they are only told. Tetrahedra at fault by themselves (out of range, a vertex
+/// repeated, duplicates) are left out when faces, edges and vertices are looked at, and where a face is
+/// shared by three or more, so that nothing can be glued there, edges and vertices are not looked at, as
+/// every one near that face would be reported.
+
+#include "tetrarch/format/soup.hpp"
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace tetrarch::mesh {
+
+enum class Kind : std::uint8_t {
+  no_tetrahedra,
+  not_finite,
+  index_out_of_range,
+  repeated_vertex,
+  duplicate,
+  face_shared,
+  non_manifold_edge,
+  non_manifold_vertex,
+  inverted,
+  flat,
+  unused_vertex,
+  several_components,
+};
+inline constexpr int kind_count = 12;
+
+enum class Severity : std::uint8_t { fatal, repairable, remark };
+
+/// "index_out_of_range" and so on, as JSON shows it.
+std::string_view name_of(Kind kind);
+Severity severity_of(Kind kind);
+
+struct Finding {
+  Kind kind;
+  long long number = 0; ///< of the tetrahedron or vertex, as the file counts; 0 for the mesh as a whole
+  int line = 0;         ///< 0: not known
+  std::string text;     ///< a sentence without place: "tetrahedron 7 names vertex 12, but there are 8"
+};
+
+/// Where the file says what the finding is about.
+Place place_of(const Finding& finding, const format::Soup& soup);
+
+struct Report {
+  /// By kind in the order of `Kind`, then by element; of each kind at most as many as were asked for.
+  std::vector<Finding> findings;
+  /// How many there are of each kind, listed or not.
+  std::array<std::int64_t, kind_count> counts{};
+
+  std::int64_t count(Kind kind) const { return counts[static_cast<std::size_t>(kind)]; }
+  std::int64_t count(Severity severity) const;
+};
+
+/// Everything that is wrong with the tetrahedra of `soup`; of each kind, the first `listed` are told in full.
+/// Nothing is thrown. O(n log n) in the worst case, in practice linear; about 250 bytes a tetrahedron.
+Report validate(const format::Soup& soup, int listed = 10);
+
+} // namespace tetrarch::mesh

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "tetrarch/format/mesh_files.hpp"
+
+#include "tetrarch/format/gmsh.hpp"
+#include "tetrarch/format/medit.hpp"
+#include "tetrarch/format/surface_files.hpp"
+#include "tetrarch/format/tetgen.hpp"
+#include "tetrarch/format/text.hpp"
+#include "tetrarch/format/vtk.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace tetrarch::format {
+namespace {
+
+/// A declaration and comments may stand before the first element of an XML file, but not more than this.
+constexpr std::size_t xml_head = 4096;
+
+constexpr std::string_view any_mesh = "a mesh: MEDIT, Gmsh, TetGen, VTK, VTU, OBJ, OFF, STL or PLY";
+
+struct Row {
+  MeshFormat format;
+  std::string_view name;
+  std::string_view extension;
+};
+constexpr std::array<Row, 10> rows{{{MeshFormat::medit, "medit", ".mesh"},
+                                    {MeshFormat::gmsh, "gmsh", ".msh"},
+                                    {MeshFormat::tetgen, "tetgen", ".node"},
+                                    {MeshFormat::tetgen, "tetgen", ".ele"},
+                                    {MeshFormat::vtk, "vtk", ".vtk"},
+                                    {MeshFormat::vtu, "vtu", ".vtu"},
+                                    {MeshFormat::obj, "obj", ".obj"},
+                                    {MeshFormat::off, "off", ".off"},
+                                    {MeshFormat::stl, "stl", ".stl"},
+                                    {MeshFormat::ply, "ply", ".ply"}}};
+
+bool ends_with(std::string_view text, std::string_view extension) {
+  if (text.size() < extension.size()) return false;
+  const std::string_view tail = text.substr(text.size() - extension.size());
+  return std::equal(tail.begin(), tail.end(), extension.begin(),
+                    [](char a, char b) { return (a >= 'A' && a <= 'Z' ? a - 'A' + 'a' : a) == b; });
+}
+
+bool is_one_of(std::string_view word, std::initializer_list<std::string_view> words) {
+  return std::find(words.begin(), words.end(), word) != words.end();
+}
+
+std::optional<MeshFormat> recognise_word(std::string_view word) {
+  if (word == "MeshVersionFormatted") return MeshFormat::medit;
+  if (is_one_of(word, {"$MeshFormat", "$Comments", "$NOD"})) return MeshFormat::gmsh;
+  if (word == "ply") return MeshFormat::ply;
+  if (word == "solid") return MeshFormat::stl;
+  if (is_one_of(word, {"OFF", "COFF", "NOFF", "STOFF", "CNOFF", "STCNOFF", "nOFF", "4OFF"}))
+    return MeshFormat::off;
+  if (is_one_of(word, {"v", "vn", "vt", "o", "g", "mtllib", "usemtl"})) return MeshFormat::obj;
+  return std::nullopt;
+}
+
+/// The first word that is no comment; empty if there is none.
+std::string_view first_word(std::string_view text) {
+  TextCursor in(text, "");
+  while (!in.at_end() && in.next_char() == '#') in.rest_of_line();
+  return in.peek();
+}
+
+/// The paths of both files, whichever is given.
+struct TetgenPaths {
+  std::string node;
+  std::string ele;
+};
+TetgenPaths tetgen_paths(const std::string& path) {
+  const std::string stem = path.substr(0, path.rfind('.'));
+  if (ends_with(path, ".ele")) return {stem + ".node", path};
+  return {path, stem + ".ele"};
+}
+
+} // namespace
+
+std::string name_of(MeshFormat format) {
+  for (const Row& row : rows)
+    if (row.format == format) return std::string(row.name);
+  throw PreconditionError("no such mesh format");
+}
+
+std::optional<MeshFormat> mesh_format_for_extension(std::string_view path) {
+  for (const Row& row : rows)
+    if (ends_with(path, row.extension)) return row.format;
+  return std::nullopt;
+}
+
+std::optional<MeshFormat> recognise_mesh(std::string_view text, const std::string& source) {
+  if (is_binary_stl(text)) return MeshFormat::stl;
+  constexpr std::string_view vtk_mark = "# vtk DataFile";
+  if (text.substr(0, vtk_mark.size()) == vtk_mark) return MeshFormat::vtk;
+  if (text.substr(0, xml_head).find("<VTKFile") != std::string_view::npos) return MeshFormat::vtu;
+  if (const auto format = recognise_word(first_word(text))) return format;
+  return mesh_format_for_extension(source);
+}
+
+Soup read_soup(std::string_view text, const std::string& source) {
+  const std::optional<MeshFormat> format = recognise_mesh(text, source);
+  if (!format) throw InputError(Place{source, 1}, found_expected(first_word(text), any_mesh));
+  switch (*format) {
+  case MeshFormat::medit:
+    return read_medit(text, source);
+  case MeshFormat::gmsh:
+    return read_gmsh(text, source);
+  case MeshFormat::tetgen:
+    throw InputError(Place{source, 0}, "half a mesh: TetGen's .node and .ele are read together, as files");
+  case MeshFormat::vtk:
+    return read_vtk(text, source);
+  case MeshFormat::vtu:
+    return read_vtu(text, source);
+  case MeshFormat::obj:
+    return read_obj(text, source);
+  case MeshFormat::off:
+    return read_off(text, source);
+  case MeshFormat::stl:
+    return read_stl(text, source);
+  case MeshFormat::ply:
+    return read_ply(text, source);
+  }
+  throw PreconditionError("no such mesh format");
+}
+
+Soup read_soup_file(const std::string& path) {
+  const std::string source = source_name(path);
+  if (mesh_format_for_extension(path) != MeshFormat::tetgen) return read_soup(read_file(path), source);
+  const TetgenPaths paths = tetgen_paths(path);
+  return read_tetgen({read_file(paths.node), read_file(paths.ele), paths.node, paths.ele});
+}
+
+std::string write_soup(const Soup& soup, MeshFormat format) {
+  switch (format) {
+  case MeshFormat::medit:
+    return write_medit(soup);
+  case MeshFormat::gmsh:
+    return write_gmsh(soup);
+  case MeshFormat::tetgen:
+    throw InputError("TetGen's format is two files, .node and .ele, and not one text");
+  case MeshFormat::vtk:
+    return write_vtk(soup);
+  case MeshFormat::vtu:
+    return write_vtu(soup);
+  case MeshFormat::obj:
+    return write_obj(soup);
+  case MeshFormat::off:
+    return write_off(soup);
+  case MeshFormat::stl:
+    return write_stl(soup);
+  case MeshFormat::ply:
+    return write_ply(soup);
+  }
+  throw PreconditionError("no such mesh format");
+}
+
+void write_soup_file(const Soup& soup, const std::string& path) {
+  const std::optional<MeshFormat> format = mesh_format_for_extension(path);
+  if (!format)
+    throw InputError(Place{path, 0}, "the extension names no mesh format, expected one like .mesh");
+  if (*format != MeshFormat::tetgen) return write_file_atomically(path, write_soup(soup, *format));
+  const TetgenPaths paths = tetgen_paths(path);
+  const TetgenFiles files = write_tetgen(soup);
+  write_file_atomically(paths.node, files.node);
+  write_file_atomically(paths.ele, files.ele);
+}
+
+} // namespace tetrarch::format

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "mesh_text.hpp"
+#include "vtk_cells.hpp"
+#include "vtu_array.hpp"
+#include "xml.hpp"
+
+#include "tetrarch/format/vtk.hpp"
+
+namespace tetrarch::format {
+namespace {
+
+constexpr std::string_view appended_element = "<AppendedData";
+
+/// The text up to the appended section, which may hold raw bytes and so is no XML, with its end mended; and
+/// where the data of the section begin.
+struct Parts {
+  std::string xml;
+  std::string_view appended;
+  bool base64 = false;
+};
+
+Parts parts_of(std::string_view text, const std::string& source) {
+  const std::size_t at = text.find(appended_element);
+  if (at == std::string_view::npos) return {std::string(text), {}, false};
+  Parts parts{std::string(text.substr(0, at)) + "</VTKFile>", {}, false};
+  const std::size_t open = text.find('>', at);
+  const std::size_t mark = open == std::string_view::npos ? open : text.find('_', open);
+  if (mark == std::string_view::npos)
+    throw InputError(Place{source, 0}, "the appended data have no beginning, an underscore");
+  parts.base64 = text.substr(at, open - at).find("base64") != std::string_view::npos;
+  parts.appended = text.substr(mark + 1);
+  return parts;
+}
+
+class VtuReader {
+public:
+  VtuReader(std::string_view text, const std::string& source) : parts_(parts_of(text, source)) {
+    soup_.source = source;
+    storage_.source = source;
+    storage_.appended = parts_.appended;
+    storage_.appended_base64 = parts_.base64;
+  }
+
+  Soup read() && {
+    const pugi::xml_document document = parse_xml(parts_.xml, soup_.source);
+    parts_.xml = std::string(); // the tree has its own copy
+    const pugi::xml_node file = document.child("VTKFile");
+    read_storage(file);
+    for (const pugi::xml_node& piece : file.child("UnstructuredGrid").children("Piece")) read_piece(piece);
+    return std::move(soup_);
+  }
+
+private:
+  [[noreturn]] void fail(const std::string& what) const { throw InputError(Place{soup_.source, 0}, what); }
+
+  void read_storage(const pugi::xml_node& file) {
+    const std::string_view type = file.attribute("type").value();
+    if (type != "UnstructuredGrid")
+      fail("found a VTK file of type " + in_quotes(type) + ", expected UnstructuredGrid");
+    const std::string_view order = file.attribute("byte_order").value();
+    storage_.swapped = swapped_if(order == "BigEndian" ? std::endian::big : std::endian::little);
+    storage_.wide_header = std::string_view(file.attribute("header_type").value()) == "UInt64";
+    const std::string_view compressor = file.attribute("compressor").value();
+    storage_.compressed = !compressor.empty();
+    if (storage_.compressed && compressor != "vtkZLibDataCompressor")
+      fail("the data are compressed by " + in_quotes(compressor) +
+           ", expected vtkZLibDataCompressor or none");
+  }
+
+  std::size_t size_of(const pugi::xml_node& piece, const char* name) const {
+    const std::string_view text = piece.attribute(name).value();
+    const auto size = parse_integer(text);
+    if (!size || *size < 0 || *size > most_elements)
+      fail("found " + in_quotes(text) + ", expected " + name + " of a piece");
+    return static_cast<std::size_t>(*size);
+  }
+
+  void require_size(std::size_t found, std::size_t expected, const char* what) const {
+    if (found != expected)
+      fail("found " + std::to_string(found) + " " + what + ", expected " + std::to_string(expected));
+  }
+
+  void read_piece(const pugi::xml_node& piece) {
+    const std::size_t points = size_of(piece, "NumberOfPoints");
+    const std::size_t cells = size_of(piece, "NumberOfCells");
+    const int first_point = static_cast<int>(soup_.points.size());
+    if (points > 0) {
+      const std::vector<double> x = read_reals(storage_, piece.child("Points").child("DataArray"));
+      require_size(x.size(), 3 * points, "coordinates");
+      for (std::size_t i = 0; i < points; ++i) {
+        soup_.points.push_back({x[3 * i], x[3 * i + 1], x[3 * i + 2]});
+        note(soup_.point_labels, static_cast<int>(soup_.points.size()) - 1, 0);
+      }
+    }
+    if (cells > 0) read_cells(piece.child("Cells"), cells, first_point);
+  }
+
+  std::vector<int> array(const pugi::xml_node& cells, const char* name) const {
+    return read_integers(storage_, cells.find_child_by_attribute("DataArray", "Name", name));
+  }
+
+  void read_cells(const pugi::xml_node& node, std::size_t cells, int first_point) {
+    const std::vector<int> ends = array(node, "offsets");
+    const std::vector<int> types = array(node, "types");
+    std::vector<int> points = array(node, "connectivity");
+    require_size(ends.size(), cells, "offsets");
+    require_size(types.size(), cells, "types");
+    for (int& p : points) {
+      if (p > most_elements - first_point)
+        fail("found the point " + std::to_string(p) + ", expected one there is");
+      p += first_point;
+    }
+    int start = 0;
+    for (std::size_t i = 0; i < cells; ++i) {
+      if (ends[i] < start || static_cast<std::size_t>(ends[i]) > points.size())
+        fail("found the offset " + std::to_string(ends[i]) + ", expected " + std::to_string(start) + " to " +
+             std::to_string(points.size()));
+      const auto corners = std::span<const int>(points).subspan(static_cast<std::size_t>(start),
+                                                                static_cast<std::size_t>(ends[i] - start));
+      add_vtk_cell(soup_, types[i], corners, cells_++, {soup_.source, 0});
+      start = ends[i];
+    }
+  }
+
+  Parts parts_;
+  VtuStorage storage_;
+  Soup soup_;
+  int cells_ = 0; ///< in all pieces so far
+};
+
+void append_array(std::string& out, const char* type, const char* name, std::string_view numbers) {
+  out += std::string("<DataArray type=\"") + type + "\" Name=\"" + name + "\" format=\"ascii\">\n";
+  out += numbers;
+  out += "</DataArray>\n";
+}
+
+} // namespace
+
+Soup read_vtu(std::string_view text, const std::string& source) {
+  return VtuReader(text, source).read();
+}
+
+std::string write_vtu(const Soup& soup) {
+  const std::size_t triangles = soup.triangles.size();
+  const std::size_t tetrahedra = soup.tetrahedra.size();
+  std::string out = "<?xml version=\"1.0\"?>\n"
+                    "<VTKFile type=\"UnstructuredGrid\" version=\"0.1\" byte_order=\"LittleEndian\">\n"
+                    "<UnstructuredGrid>\n<Piece NumberOfPoints=\"" +
+                    std::to_string(soup.points.size()) + "\" NumberOfCells=\"" +
+                    std::to_string(triangles + tetrahedra) + "\">\n<Points>\n" +
+                    "<DataArray type=\"Float64\" NumberOfComponents=\"3\" format=\"ascii\">\n";
+  for (const auto& p : soup.points) append_line(out, p, "\n");
+  out += "</DataArray>\n</Points>\n<Cells>\n";
+  std::string connectivity;
+  std::string offsets;
+  std::string types;
+  for (const auto& corners : soup.triangles) append_line(connectivity, corners, "\n", 0);
+  for (const auto& corners : soup.tetrahedra) append_line(connectivity, corners, "\n", 0);
+  for (std::size_t i = 1; i <= triangles + tetrahedra; ++i) {
+    append_number(offsets, i <= triangles ? 3 * i : 3 * triangles + 4 * (i - triangles));
+    offsets += '\n';
+    types += i <= triangles ? "5\n" : "10\n";
+  }
+  append_array(out, "Int32", "connectivity", connectivity);
+  append_array(out, "Int64", "offsets", offsets);
+  append_array(out, "UInt8", "types", types);
+  return out + "</Cells>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n";
+}
+
+} // namespace tetrarch::format

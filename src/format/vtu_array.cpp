@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "vtu_array.hpp"
+
+#include "inflate.hpp"
+#include "mesh_cursor.hpp"
+
+#include <type_traits>
+#include <utility>
+
+namespace tetrarch::format {
+namespace {
+
+[[noreturn]] void fail(const VtuStorage& storage, const pugi::xml_node& array, const std::string& what) {
+  const std::string name = array.attribute("Name").value();
+  throw InputError(Place{storage.source, 0}, "the array " + in_quotes(name) + " " + what);
+}
+
+/// The value of a base64 digit, or -1.
+int base64_digit(char c) {
+  if (c >= 'A' && c <= 'Z') return c - 'A';
+  if (c >= 'a' && c <= 'z') return c - 'a' + 26;
+  if (c >= '0' && c <= '9') return c - '0' + 52;
+  if (c == '+') return 62;
+  return c == '/' ? 63 : -1;
+}
+
+/// Bytes one after the other, from base64 or as they are. Padding within base64 ends a group of bytes, not
+/// the data: some writers encode the header by itself.
+class ByteSource {
+public:
+  ByteSource(const VtuStorage& storage, const pugi::xml_node& array)
+      : storage_(storage), array_(array), text_(array.text().get()) {
+    if (std::string_view(array.attribute("format").value()) != "appended") return;
+    const auto offset = parse_integer(array.attribute("offset").value());
+    if (!offset || *offset < 0 || static_cast<std::uint64_t>(*offset) > storage.appended.size())
+      fail(storage, array, "has no place in the appended data");
+    text_ = storage.appended.substr(static_cast<std::size_t>(*offset));
+    base64_ = storage.appended_base64;
+  }
+
+  std::string take(std::uint64_t size) {
+    if (size > text_.size() + buffer_.size()) fail(storage_, array_, "ends too early");
+    while (base64_ && buffer_.size() < size) decode_group();
+    std::string out;
+    if (base64_) {
+      out = buffer_.substr(0, size);
+      buffer_.erase(0, size);
+    } else {
+      out = text_.substr(0, size);
+      text_.remove_prefix(size);
+    }
+    return out;
+  }
+
+  std::uint64_t take_header() {
+    const std::string raw = take(storage_.wide_header ? 8 : 4);
+    return storage_.wide_header ? load<std::uint64_t>(raw.data(), storage_.swapped)
+                                : load<std::uint32_t>(raw.data(), storage_.swapped);
+  }
+
+private:
+  void decode_group() {
+    std::array<int, 4> digits{};
+    int padding = 0;
+    for (int& digit : digits) {
+      while (!text_.empty() && is_space(text_.front())) text_.remove_prefix(1);
+      if (text_.empty()) fail(storage_, array_, "ends too early");
+      const char c = text_.front();
+      text_.remove_prefix(1);
+      digit = base64_digit(c);
+      if (c == '=' && &digit >= &digits[2]) {
+        ++padding;
+        digit = 0;
+      } else if (digit < 0 || padding > 0) {
+        fail(storage_, array_, "has " + in_quotes(std::string_view(&c, 1)) + ", expected base64 data");
+      }
+    }
+    const int bits = digits[0] << 18 | digits[1] << 12 | digits[2] << 6 | digits[3];
+    for (int byte = 0; byte < 3 - padding; ++byte)
+      buffer_ += static_cast<char>(static_cast<unsigned char>(bits >> (16 - 8 * byte) & 0xff));
+  }
+
+  const VtuStorage& storage_;
+  pugi::xml_node array_;
+  std::string_view text_;
+  std::string buffer_;
+  bool base64_ = true;
+};
+
+std::string unpacked(const VtuStorage& storage, const pugi::xml_node& array, ByteSource& bytes) {
+  const std::uint64_t blocks = bytes.take_header();
+  const std::uint64_t size = bytes.take_header();
+  const std::uint64_t last = bytes.take_header();
+  std::vector<std::uint64_t> packed;
+  for (std::uint64_t b = 0; b < blocks; ++b) packed.push_back(bytes.take_header());
+  std::string out;
+  for (std::uint64_t b = 0; b < blocks; ++b) {
+    const std::uint64_t wanted = b + 1 == blocks && last > 0 ? last : size;
+    const std::string block = inflate(bytes.take(packed[b]), longest_file, {storage.source, 0});
+    if (block.size() != wanted || out.size() + wanted > longest_file)
+      fail(storage, array, "has a block of another length than announced");
+    out += block;
+  }
+  return out;
+}
+
+template <class Stored, class T>
+std::vector<T> converted(const VtuStorage& storage, const pugi::xml_node& array, std::string_view raw) {
+  std::vector<T> out;
+  out.reserve(raw.size() / sizeof(Stored));
+  for (std::size_t at = 0; at + sizeof(Stored) <= raw.size(); at += sizeof(Stored)) {
+    const Stored value = load<Stored>(raw.data() + at, storage.swapped);
+    if constexpr (std::is_integral_v<T> && std::is_integral_v<Stored>)
+      if (!std::in_range<T>(value)) fail(storage, array, "holds the number " + std::to_string(value));
+    out.push_back(static_cast<T>(value));
+  }
+  return out;
+}
+
+template <class T>
+std::vector<T> from_bytes(const VtuStorage& storage, const pugi::xml_node& array) {
+  ByteSource bytes(storage, array);
+  const std::string raw =
+      storage.compressed ? unpacked(storage, array, bytes) : bytes.take(bytes.take_header());
+  const std::string_view type = array.attribute("type").value();
+  if constexpr (std::is_same_v<T, double>) {
+    if (type == "Float32") return converted<float, T>(storage, array, raw);
+    if (type == "Float64") return converted<double, T>(storage, array, raw);
+  } else {
+    if (type == "Int8") return converted<std::int8_t, T>(storage, array, raw);
+    if (type == "UInt8") return converted<std::uint8_t, T>(storage, array, raw);
+    if (type == "Int16") return converted<std::int16_t, T>(storage, array, raw);
+    if (type == "UInt16") return converted<std::uint16_t, T>(storage, array, raw);
+    if (type == "Int32") return converted<std::int32_t, T>(storage, array, raw);
+    if (type == "UInt32") return converted<std::uint32_t, T>(storage, array, raw);
+    if (type == "Int64") return converted<std::int64_t, T>(storage, array, raw);
+    if (type == "UInt64") return converted<std::uint64_t, T>(storage, array, raw);
+  }
+  fail(storage, array, "has numbers of type " + in_quotes(type) + ", which do not belong there");
+}
+
+template <class T>
+std::vector<T> from_text(const VtuStorage& storage, const pugi::xml_node& array) {
+  std::vector<T> out;
+  MeshCursor in(array.text().get(), storage.source);
+  while (!in.at_end()) {
+    const std::string_view token = in.token("a number");
+    const auto real = parse_double(token);
+    const auto integer = parse_integer(token);
+    const bool fits = std::is_same_v<T, double> ? real.has_value() : integer && std::in_range<int>(*integer);
+    if (!fits) fail(storage, array, "has " + in_quotes(token) + ", expected a number");
+    if constexpr (std::is_same_v<T, double>) {
+      out.push_back(*real);
+    } else {
+      out.push_back(static_cast<T>(*integer));
+    }
+  }
+  return out;
+}
+
+template <class T>
+std::vector<T> read_array(const VtuStorage& storage, const pugi::xml_node& array) {
+  if (!array)
+    throw InputError(Place{storage.source, 0},
+                     "an array of points, connectivity, offsets or types is missing");
+  const std::string_view format = array.attribute("format").value();
+  if (format == "ascii" || format.empty()) return from_text<T>(storage, array);
+  if (format != "binary" && format != "appended")
+    fail(storage, array, "has the format " + in_quotes(format) + ", expected ascii, binary or appended");
+  return from_bytes<T>(storage, array);
+}
+
+} // namespace
+
+std::vector<double> read_reals(const VtuStorage& storage, const pugi::xml_node& array) {
+  return read_array<double>(storage, array);
+}
+
+std::vector<int> read_integers(const VtuStorage& storage, const pugi::xml_node& array) {
+  return read_array<int>(storage, array);
+}
+
+} // namespace tetrarch::format

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "tetrarch/mesh/tet_mesh.hpp"
+
+#include "face_sweep.hpp"
+#include "gluing.hpp"
+
+#include "tetrarch/core/error.hpp"
+#include "tetrarch/mesh/validate.hpp"
+
+namespace tetrarch::mesh {
+namespace {
+
+/// Duplicates can be repaired, but a mesh cannot have them.
+bool keeps_from_meshing(Kind kind) {
+  return severity_of(kind) == Severity::fatal || kind == Kind::duplicate;
+}
+
+} // namespace
+
+TetMesh build(format::Soup soup) {
+  const Report report = validate(soup, 1);
+  const Finding* first = nullptr;
+  std::int64_t count = 0;
+  for (const Finding& finding : report.findings) {
+    if (!keeps_from_meshing(finding.kind)) continue;
+    if (first == nullptr) first = &finding;
+    count += report.count(finding.kind);
+  }
+  if (first != nullptr) {
+    const std::string others = count > 1 ? " (and " + std::to_string(count - 1) + " more)" : "";
+    throw InputError(place_of(*first, soup), first->text + others);
+  }
+  return {std::move(soup.points), std::move(soup.tetrahedra)};
+}
+
+Triangulation triangulation_of(const TetMesh& mesh) {
+  Triangulation tri(static_cast<int>(mesh.tetrahedra.size()));
+  FaceSweep sweep(mesh.tetrahedra, mesh.points.size(), [](std::size_t) { return true; });
+  sweep.for_each_class([&](std::span<const SortedFace> shared) {
+    if (shared.size() == 2) glue_shared_face(tri, mesh.tetrahedra, shared[0].at(), shared[1].at());
+  });
+  return tri;
+}
+
+} // namespace tetrarch::mesh

@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "tetrarch/format/mesh_files.hpp"
+
+#include "expect.hpp"
+#include "meshes.hpp"
+#include "tetrarch/format/gmsh.hpp"
+#include "tetrarch/format/medit.hpp"
+#include "tetrarch/format/surface_files.hpp"
+#include "tetrarch/format/tetgen.hpp"
+#include "tetrarch/format/vtk.hpp"
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <cstring>
+
+using namespace tetrarch;
+using namespace tetrarch::format;
+using namespace tetrarch::format::test;
+
+namespace {
+
+void check_same(const Soup& found, const Soup& expected) {
+  CHECK(found.points == expected.points);
+  CHECK(found.triangles == expected.triangles);
+  CHECK(found.tetrahedra == expected.tetrahedra);
+  CHECK(found.point_labels.numbers.size() == found.points.size());
+  CHECK(found.point_labels.lines.size() == found.points.size());
+  CHECK(found.tetrahedron_labels.numbers.size() == found.tetrahedra.size());
+  CHECK(found.tetrahedron_labels.lines.size() == found.tetrahedra.size());
+  CHECK(found.triangle_labels.numbers.size() == found.triangles.size());
+  CHECK(found.triangle_labels.lines.size() == found.triangles.size());
+}
+
+} // namespace
+
+TEST_CASE("runs keep any list of integers", "[mesh]") {
+  const std::vector<int> values{5, 6, 7, -2, -1, 0, 0, 2147483647, -2147483647 - 1, -2147483647, 3};
+  Runs runs;
+  for (const int value : values) runs.push_back(value);
+  REQUIRE(runs.size() == values.size());
+  for (std::size_t i = 0; i < values.size(); ++i) CHECK(runs[i] == values[i]);
+  CHECK(runs.runs().size() == 6); // counted by hand
+}
+
+TEST_CASE("a mesh survives every format", "[mesh]") {
+  for (const MeshFormat format : solid_formats) {
+    INFO(name_of(format));
+    const std::string text = write_soup(two_tetrahedra(), format);
+    CHECK(recognise_mesh(text, "f") == format);
+    check_same(read_soup(text, "f"), two_tetrahedra());
+    CHECK(write_soup(read_soup(text, "f"), format) == text);
+    Soup empty;
+    check_same(read_soup(write_soup(empty, format), "f"), empty);
+  }
+  for (const MeshFormat format : surface_formats) {
+    INFO(name_of(format));
+    const Soup soup = read_soup(write_soup(one_boundary(), format), "f." + name_of(format));
+    CHECK(soup.triangles.size() == 4);
+    CHECK(soup.points.size() == 4);
+    if (format != MeshFormat::stl) check_same(soup, one_boundary()); // STL orders the points by use
+  }
+}
+
+TEST_CASE("numbers survive to the last digit", "[mesh]") {
+  Soup soup = two_tetrahedra();
+  soup.points[0] = {0.1, -1.0 / 3, 6.02214076e23};
+  soup.points[1] = {5e-324, 1.7976931348623157e308, -0.0};
+  for (const MeshFormat format : solid_formats) {
+    INFO(name_of(format));
+    const Soup back = read_soup(write_soup(soup, format), "f");
+    CHECK(back.points == soup.points);
+    CHECK(std::signbit(back.points[1][2]));
+  }
+}
+
+// The witness is meshio, which wrote the files (record_meshio.py).
+TEST_CASE("meshio's files hold the mesh that it was given", "[mesh]") {
+  for (const std::string name :
+       {"medit.mesh", "gmsh22.msh", "gmsh22_binary.msh", "vtk42.vtk", "vtk42_binary.vtk", "vtk51.vtk",
+        "vtk51_binary.vtk", "text.vtu", "base64.vtu", "zlib.vtu"}) {
+    INFO(name);
+    check_same(read_soup_file(mesh_data("meshio_" + name)), two_tetrahedra());
+  }
+  Soup without_triangle = two_tetrahedra();
+  without_triangle.triangles.clear();
+  check_same(read_soup_file(mesh_data("meshio_tetgen.node")), without_triangle);
+  check_same(read_soup_file(mesh_data("meshio_tetgen.ele")), without_triangle);
+  for (const std::string name : {"obj", "off", "ply"}) {
+    INFO(name);
+    check_same(read_soup_file(mesh_data("meshio_surface." + name)), one_boundary());
+  }
+  check_same(read_soup_file(mesh_data("meshio_surface_binary.ply")), one_boundary());
+  // STL repeats the corners: the points are welded in the order in which they occur.
+  for (const std::string name : {"surface.stl", "surface_binary.stl"}) {
+    const Soup soup = read_soup_file(mesh_data("meshio_" + name));
+    CHECK(soup.points == std::vector<std::array<double, 3>>{{0, 0, 0}, {0, 1, 0}, {1, 0, 0}, {0, 0, 1.5}});
+    CHECK(soup.triangles == std::vector<std::array<int, 3>>{{0, 1, 2}, {0, 2, 3}, {2, 1, 3}, {1, 0, 3}});
+  }
+  const std::string lzma = mesh_data("meshio_lzma.vtu");
+  CHECK(error_of([&] { read_soup_file(lzma); }) ==
+        lzma +
+            ": the data are compressed by 'vtkLZMADataCompressor', expected vtkZLibDataCompressor or none");
+}
+
+// The witness is Gmsh, which meshed a solid and wrote it in all these formats (record_gmsh.py).
+TEST_CASE("Gmsh's files all hold the same mesh", "[mesh]") {
+  const Soup first = read_soup_file(mesh_data("gmsh_41.msh"));
+  CHECK(first.points.size() == 10);
+  CHECK(first.triangles.size() == 16);
+  CHECK(first.tetrahedra.size() == 11);
+  CHECK(first.tetrahedron_labels.numbers[10] == 27);
+  for (const std::string name :
+       {"22.msh", "22_binary.msh", "41_binary.msh", "solid.mesh", "solid.vtk", "solid_binary.vtk"}) {
+    INFO(name);
+    const Soup soup = read_soup_file(mesh_data("gmsh_" + name));
+    CHECK(soup.triangles == first.triangles);
+    CHECK(soup.tetrahedra == first.tetrahedra);
+    for (std::size_t i = 0; i < first.points.size(); ++i)
+      for (std::size_t axis = 0; axis < 3; ++axis)
+        CHECK(soup.points[i][axis] == Approx(first.points[i][axis]).margin(1e-12)); // some have 15 digits
+  }
+}
+
+TEST_CASE("elements remember their numbers and lines", "[mesh]") {
+  const std::string medit = "MeshVersionFormatted 2 # a comment\nDimension\n3\n\nVertices 4\n0 0 0 7\n"
+                            "1 0 0 7\n\n0 1 0 7\n0 0 1 7\nEdges 1\n1 2 5\nTetrahedra\n2\n1 2 3 4 9\n"
+                            "1 2 3 12 9\n";
+  const Soup soup = read_medit(medit, "f");
+  CHECK(soup.point_labels.lines[1] == 7);
+  CHECK(soup.point_labels.lines[2] == 9);
+  CHECK(soup.tetrahedron_labels.lines[1] == 16);
+  CHECK(soup.tetrahedron_labels.numbers[1] == 2);
+  CHECK(soup.tetrahedra[1][3] == 11);
+  CHECK(point_number(soup, 11) == 12);
+}
+
+TEST_CASE("Gmsh's node tags may be sparse and in any order", "[mesh]") {
+  const std::string text = "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$Entities\n1 0 0 1\nanything $ at all\n"
+                           "$EndEntities\n$Nodes\n2 4 3 900\n2 1 1 2\n900\n7\n0 0 0 0.5 0.5\n1 0 0 0.5 0.5\n"
+                           "3 1 0 2\n3\n4\n0 1 0\n0 0 1\n$EndNodes\n$Elements\n2 2 1 8\n1 1 1 1\n1 3 4\n"
+                           "3 1 4 1\n8 900 7 3 4\n$EndElements\n";
+  const Soup soup = read_gmsh(text, "f");
+  CHECK(soup.tetrahedra == std::vector<std::array<int, 4>>{{0, 1, 2, 3}});
+  CHECK(soup.points[1] == std::array<double, 3>{1, 0, 0});
+  CHECK(soup.tetrahedron_labels.numbers[0] == 8);
+  CHECK(soup.tetrahedron_labels.lines[0] == 26);
+  CHECK(point_number(soup, 0) == 900);
+  CHECK(error_of([&] { read_gmsh(with(text, "8 900 7", "8 901 7"), "f"); }) ==
+        "f:26: found '901', expected the tag of a node");
+  CHECK(error_of([&] { read_gmsh(with(text, "3\n4\n0", "7\n4\n0"), "f"); }).find("several have the tag 7") !=
+        std::string::npos);
+}
+
+TEST_CASE("TetGen's files count from 0 or from 1, and comments may stand anywhere", "[mesh]") {
+  TetgenFiles files{"# points\n4 3 1 1\n0  0 0 0  5 -1\n1  1 0 0  5 -1 # two\n2  0 1 0  5 1\n3  0 0 1  5 1\n",
+                    "1 4 1\n0  0 1 2 3  17\n# end\n", "f.node", "f.ele"};
+  const Soup from_zero = read_tetgen(files);
+  CHECK(from_zero.tetrahedra == std::vector<std::array<int, 4>>{{0, 1, 2, 3}});
+  CHECK(from_zero.first_number == 0);
+  CHECK(from_zero.point_labels.lines[2] == 5);
+  files = write_tetgen(from_zero);
+  CHECK(files.ele == "1 4 0\n1 1 2 3 4\n");
+  check_same(read_tetgen(files), from_zero);
+
+  const Scratch scratch;
+  write_soup_file(two_tetrahedra(), scratch / "a.node");
+  CHECK(scratch.count() == 2);
+  CHECK(read_soup_file(scratch / "a.ele").tetrahedra == two_tetrahedra().tetrahedra);
+  CHECK(error_of([&] { read_soup_file(scratch / "b.ele"); }) == scratch / "b.node: there is no such file");
+}
+
+TEST_CASE("raw appended data of VTU files", "[mesh]") {
+  // Made by hand after "VTK File Formats": each array a length of four bytes and the data; bytes that look
+  // like XML do no harm.
+  const auto bytes = [](auto values) {
+    std::string raw(sizeof(values), '\0');
+    std::memcpy(raw.data(), &values, sizeof(values));
+    return raw;
+  };
+  const auto array = [&](auto values) {
+    return bytes(static_cast<std::uint32_t>(sizeof(values))) + bytes(values);
+  };
+  const std::string points = array(std::array<float, 12>{0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1.5F});
+  const std::string connectivity = array(std::array<std::int32_t, 4>{0, 1, 2, 3});
+  const std::string ends = array(std::array<std::int64_t, 1>{4});
+  const std::string types = array(std::array<std::uint8_t, 1>{10});
+  const auto offset = [](std::size_t at) {
+    return "format=\"appended\" offset=\"" + std::to_string(at) + "\"/>";
+  };
+  std::size_t at = 0;
+  std::string text = "<VTKFile type=\"UnstructuredGrid\" byte_order=\"LittleEndian\"><UnstructuredGrid>"
+                     "<Piece NumberOfPoints=\"4\" NumberOfCells=\"1\"><Points><DataArray type=\"Float32\" " +
+                     offset(at) + "</Points><Cells><DataArray Name=\"connectivity\" type=\"Int32\" ";
+  text += offset(at += points.size()) + "<DataArray Name=\"offsets\" type=\"Int64\" ";
+  text += offset(at += connectivity.size()) + "<DataArray Name=\"types\" type=\"UInt8\" ";
+  text += offset(at += ends.size()) + "</Cells></Piece></UnstructuredGrid>";
+  const std::string tail =
+      "<AppendedData encoding=\"raw\">\n _" + points + connectivity + ends + types + "<&\0>";
+  const Soup soup = read_vtu(text + tail + "</AppendedData></VTKFile>", "f");
+  CHECK(soup.tetrahedra == std::vector<std::array<int, 4>>{{0, 1, 2, 3}});
+  CHECK(soup.points[3] == std::array<double, 3>{0, 0, 1.5});
+  CHECK(error_of([&] { read_vtu(text + tail.substr(0, 60), "f"); }) == "f: the array '' ends too early");
+}
+
+TEST_CASE("meshes are known by their content, then by their extension", "[mesh]") {
+  CHECK(recognise_mesh("# by hand\nMeshVersionFormatted 2", "f") == MeshFormat::medit);
+  CHECK(recognise_mesh("$MeshFormat\n", "f.obj") == MeshFormat::gmsh);
+  CHECK(recognise_mesh("<?xml version='1.0'?><VTKFile", "f") == MeshFormat::vtu);
+  CHECK(recognise_mesh("# c\nv 0 0 0", "f") == MeshFormat::obj);
+  CHECK(recognise_mesh("COFF", "f") == MeshFormat::off);
+  CHECK(recognise_mesh("4 3 0 0", "f.NODE") == MeshFormat::tetgen);
+  CHECK(recognise_mesh("", "a.b/f.Mesh") == MeshFormat::medit);
+  for (const std::string text : {"cPcbbbiht", "% Triangulation\n", "{}", "2\n1 1 1 1\n", "", "<regina/>"})
+    CHECK_FALSE(looks_like_mesh(text, "f"));
+  CHECK(error_of([] { read_soup("cPcbbbiht", "f"); }) ==
+        "f:1: found 'cPcbbbiht', expected a mesh: MEDIT, Gmsh, TetGen, VTK, VTU, OBJ, OFF, STL or PLY");
+  CHECK(error_of([] { write_soup(two_tetrahedra(), MeshFormat::tetgen); }).find(".ele") != std::string::npos);
+}

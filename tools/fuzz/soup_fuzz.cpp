@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Mesh files of every format but TetGen's: what was read survives writing and reading, validation survives
+// anything, what is repaired needs no more repair, and what is valid can be triangulated.
+#include "fuzz.hpp"
+#include "tetrarch/core/check.hpp"
+#include "tetrarch/format/mesh_files.hpp"
+#include "tetrarch/mesh/repair.hpp"
+#include "tetrarch/mesh/tet_mesh.hpp"
+#include "tetrarch/mesh/validate.hpp"
+
+namespace {
+
+using namespace tetrarch;
+
+void require_round_trips(const format::Soup& soup) {
+  using enum format::MeshFormat;
+  for (const format::MeshFormat form : {medit, gmsh, vtk, vtu}) {
+    const std::string text = format::write_soup(soup, form);
+    try {
+      const format::Soup back = format::read_soup(text, "written");
+      fuzz::require(back.tetrahedra == soup.tetrahedra && back.triangles == soup.triangles &&
+                        format::write_soup(back, form) == text,
+                    "read(write(soup)) == soup", text);
+    } catch (const InputError& error) {
+      // Gmsh's files cannot name a point that is not there.
+      fuzz::require(form == gmsh, "what was written can be read", text, error.what());
+    }
+  }
+}
+
+} // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  try {
+    const format::Soup soup = format::read_soup(fuzz::as_text(data, size), "fuzz");
+    require_round_trips(soup);
+    const mesh::Report report = mesh::validate(soup);
+    const mesh::Repaired repaired = mesh::repair(soup);
+    fuzz::require(report.count(mesh::Kind::index_out_of_range) > 0 ||
+                      mesh::validate(repaired.soup).count(mesh::Severity::repairable) == 0,
+                  "what is repaired needs no more repair");
+    const Triangulation tri = mesh::triangulation_of(mesh::build(repaired.soup));
+    fuzz::require(is_valid(Skeleton(tri)), "what is valid becomes a manifold");
+  } catch (const InputError& error) {
+    fuzz::require_one_line(error);
+  }
+  return 0;
+}
