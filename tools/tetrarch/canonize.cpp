@@ -7,6 +7,7 @@
 #include "tetrarch/core/error.hpp"
 #include "tetrarch/core/signature.hpp"
 #include "tetrarch/format/json.hpp"
+#include "tetrarch/hyperbolic/search.hpp"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -31,19 +32,19 @@ struct Solved {
 
 Solved solve(const std::string& input, const Context& context) {
   const format::Document document = read_triangulation(input);
-  const Skeleton skeleton(document.triangulation);
-  const auto structure = hyperbolic::hyperbolize(document.triangulation, skeleton, {}, context.progress);
+  require_manifold(document.triangulation, input);
+  hyperbolic::SearchOptions search;
+  search.seed = context.seed;
+  const hyperbolic::Search found = find_structure(document.triangulation, search, context.progress);
+  const auto& structure = found.structure;
   Solved solved{std::nullopt, {}, structure.outcome, structure.volume, document.warnings};
-  if (structure.outcome == Outcome::stopped) throw Stopped();
-  if (structure.outcome == Outcome::invalid || structure.outcome == Outcome::boundary_faces)
-    throw InputError({input, 0}, describe(structure, skeleton));
   if (structure.outcome != Outcome::geometric) {
-    solved.why_not = describe(structure, skeleton);
+    solved.why_not = describe(found);
     return solved;
   }
   canonical::CanonizeOptions options;
   options.seed = context.seed;
-  solved.canonical = canonical::canonize(document.triangulation, structure, options, context.progress);
+  solved.canonical = canonical::canonize(found.triangulation, structure, options, context.progress);
   if (solved.canonical->outcome != Canonical::Outcome::canonical)
     solved.why_not = "a face stays concave and no move mends it, after " +
                      std::to_string(solved.canonical->restarts) + " changes of the triangulation";
@@ -55,11 +56,7 @@ std::string cell_summary(const std::vector<std::string>& cells) {
   for (const std::string& cell : cells) ++count[cell];
   std::vector<std::string> items;
   items.reserve(count.size());
-  for (const auto& [cell, n] : count) {
-    std::string item = counted(n, cell);
-    if (item.ends_with("hedrons")) item.replace(item.size() - 3, 3, "a");
-    items.push_back(std::move(item));
-  }
+  for (const auto& [cell, n] : count) items.push_back(counted(n, cell));
   return joined(items, ", ");
 }
 

@@ -4,8 +4,9 @@
 #include "text.hpp"
 
 #include "tetrarch/core/error.hpp"
+#include "tetrarch/core/signature.hpp"
 #include "tetrarch/format/json.hpp"
-#include "tetrarch/hyperbolic/hyperbolize.hpp"
+#include "tetrarch/hyperbolic/search.hpp"
 
 #include <CLI/CLI.hpp>
 #include <map>
@@ -23,6 +24,8 @@ struct Options {
   std::string output;
   std::string history;
   hyperbolic::Method method = hyperbolic::Method::newton;
+  bool as_given = false;
+  int attempts = hyperbolic::SearchOptions{}.attempts;
 };
 
 /// The word users see first; `reason` keeps the finer one.
@@ -64,13 +67,39 @@ Status status_of(Outcome outcome) {
   return outcome == Outcome::projective_plane ? Status::proved_no : Status::undecided;
 }
 
-std::string report(const Hyperbolization<double>& found, const Skeleton& skeleton) {
+/// The search with Newton's method; then, if that is asked for, the flow on the triangulation that it found.
+hyperbolic::Search solve(const Triangulation& tri, const Options& options, const Context& context) {
+  hyperbolic::SearchOptions how;
+  how.seed = context.seed;
+  how.attempts = options.as_given ? 1 : options.attempts;
+  hyperbolic::Search found;
+  if (options.as_given) {
+    found.triangulation = tri;
+    found.attempts = 1;
+  } else {
+    found = find_structure(tri, how, context.progress);
+    if (options.method == hyperbolic::Method::newton) return found;
+  }
+  hyperbolic::HyperbolizeOptions once;
+  once.method = options.method;
+  found.structure =
+      hyperbolic::hyperbolize(found.triangulation, Skeleton(found.triangulation), once, context.progress);
+  if (found.structure.outcome == Outcome::stopped) throw Stopped();
+  if (options.as_given) ++found.seen[static_cast<std::size_t>(found.structure.outcome)];
+  return found;
+}
+
+std::vector<std::pair<std::string, std::string>> report(const hyperbolic::Search& search,
+                                                        const Skeleton& skeleton) {
+  const Hyperbolization<double>& found = search.structure;
   if (found.outcome != Outcome::geometric)
-    return block({{"outcome", outcome_word(found.outcome)},
-                  {"reason", describe(found, skeleton)},
-                  {"residual", scientific(found.residual, 1)},
-                  {"iterations", std::to_string(found.iterations)}});
-  std::vector<std::pair<std::string, std::string>> rows{{"outcome", "geometric"},
+    return {{"outcome", outcome_word(found.outcome)},
+            {"reason", describe(found, skeleton)},
+            {"tried", describe(search)},
+            {"residual", scientific(found.residual, 1)},
+            {"iterations", std::to_string(found.iterations)}};
+  std::vector<std::pair<std::string, std::string>> rows{{"outcome", describe(search)},
+                                                        {"signature", signature(search.triangulation)},
                                                         {"volume", fixed(found.volume, 12)},
                                                         {"residual", scientific(found.residual, 1)},
                                                         {"iterations", std::to_string(found.iterations)}};
@@ -83,42 +112,54 @@ std::string report(const Hyperbolization<double>& found, const Skeleton& skeleto
     for (const double a : found.dihedral_angles[t]) angles.push_back(fixed(a, 10));
     rows.emplace_back("angles " + std::to_string(t), joined(angles, " "));
   }
-  return block(rows);
+  return rows;
+}
+
+Json report_json(const hyperbolic::Search& search, const Skeleton& skeleton) {
+  const Hyperbolization<double>& found = search.structure;
+  const bool geometric = found.outcome == Outcome::geometric;
+  Json json{{"outcome", outcome_word(found.outcome)}};
+  if (!geometric) {
+    json["reason"] = to_string(found.outcome);
+    json["explanation"] = describe(found, skeleton);
+    json["tried"] = describe(search);
+  }
+  json["volume"] = geometric ? Json(found.volume) : Json();
+  json["signature"] = signature(search.triangulation);
+  json["changed"] = search.changed;
+  json["attempts"] = search.attempts;
+  json["edge_lengths"] = numbers(found.lengths);
+  json["dihedral_angles"] = Json::array();
+  for (const auto& angles : found.dihedral_angles) json["dihedral_angles"].push_back(numbers(angles));
+  json["residual"] = found.residual;
+  json["iterations"] = found.iterations;
+  return json;
 }
 
 Result hyperbolize(const Options& options, const Context& context) {
-  format::Document document = read_triangulation(options.input);
+  format::Document document = read_triangulation(options.input, {false, context.progress});
+  require_manifold(document.triangulation, options.input);
+  const hyperbolic::Search search = solve(document.triangulation, options, context);
+  const Hyperbolization<double>& found = search.structure;
+  document.triangulation = search.triangulation;
   const Skeleton skeleton(document.triangulation);
-  hyperbolic::HyperbolizeOptions how;
-  how.method = options.method;
-  const auto found = hyperbolic::hyperbolize(document.triangulation, skeleton, how, context.progress);
-  if (found.outcome == Outcome::stopped) throw Stopped();
-  if (found.outcome == Outcome::invalid || found.outcome == Outcome::boundary_faces)
-    throw InputError({options.input, 0}, describe(found, skeleton));
 
   Result result;
   result.warnings = document.warnings;
   result.status = status_of(found.outcome);
-  const bool geometric = found.outcome == Outcome::geometric;
-  result.json["outcome"] = outcome_word(found.outcome);
-  if (!geometric) {
-    result.json["reason"] = to_string(found.outcome);
-    result.json["explanation"] = describe(found, skeleton);
-  }
-  result.json["volume"] = geometric ? Json(found.volume) : Json();
-  result.json["edge_lengths"] = numbers(found.lengths);
-  result.json["dihedral_angles"] = Json::array();
-  for (const auto& angles : found.dihedral_angles) result.json["dihedral_angles"].push_back(numbers(angles));
-  result.json["residual"] = found.residual;
-  result.json["iterations"] = found.iterations;
-  result.text = report(found, skeleton);
+  result.json = report_json(search, skeleton);
+  result.text = block(report(search, skeleton));
   if (!options.history.empty()) {
     std::ostringstream csv;
     write_history_csv(csv, found.history);
     result.files.push_back({options.history, csv.str()});
   }
   if (!options.output.empty()) {
-    if (geometric) {
+    if (found.outcome == Outcome::geometric) {
+      if (search.changed) { // what else the document says is about another triangulation
+        document.members = nullptr;
+        document.provenance = nullptr;
+      }
       attach_metric(document, skeleton, found);
       result.files.push_back({options.output, write_json(document)});
     } else {
@@ -134,11 +175,16 @@ Run declare_hyperbolize(CLI::App& app) {
   const auto options = std::make_shared<Options>();
   static const std::map<std::string, hyperbolic::Method> methods{{"newton", hyperbolic::Method::newton},
                                                                  {"flow", hyperbolic::Method::flow}};
-  app.add_option("X", options->input, "a closed gluing; vertices are truncated or cusps")->required();
+  app.add_option("X", options->input, "a triangulation or mesh; its boundary becomes geodesic, or a cusp")
+      ->required();
   app.add_option("--method", options->method, "newton (default) or flow: Luo's curvature flow from length 1")
       ->transform(CLI::CheckedTransformer(methods).description("{newton,flow}"));
   app.add_option("--history", options->history, "the flow's history of sum K^2, as CSV");
   app.add_option("-o,--output", options->output, "the triangulation with its metric, as JSON");
+  app.add_flag("--as-given", options->as_given, "solve on the triangulation as it is, and on no other");
+  app.add_option("--attempts", options->attempts, "on how many triangulations to seek a structure")
+      ->check(CLI::Range(1, 10'000'000))
+      ->capture_default_str();
   return [options](const Context& context) {
     if (!options->history.empty() && options->method != hyperbolic::Method::flow)
       throw InputError("--history needs --method flow: Newton's method has no flow to record");

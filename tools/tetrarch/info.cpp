@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include "info.hpp"
+
 #include "command.hpp"
 #include "input.hpp"
 #include "text.hpp"
@@ -48,8 +50,9 @@ Json group_json(const algebra::Presentation& group) {
   return json;
 }
 
-Result info(const format::Document& document, const Context& context) {
-  const Triangulation& tri = document.triangulation;
+} // namespace
+
+Info info_of(const Triangulation& tri, const std::string& name, const Progress& progress) {
   const Skeleton skeleton(tri);
   const std::vector<Defect> defects = check(skeleton);
   const auto boundary = boundary_components(tri, skeleton);
@@ -57,14 +60,12 @@ Result info(const format::Document& document, const Context& context) {
   const bool has_group = valid && tri.size() > 0 && skeleton.is_connected();
   const std::string homology = valid ? algebra::homology(tri, skeleton, 1).str() : "";
   algebra::Presentation group;
-  if (has_group)
-    group = simplified(algebra::dual_presentation(tri, skeleton).presentation, {}, context.progress);
+  if (has_group) group = simplified(algebra::dual_presentation(tri, skeleton).presentation, {}, progress);
   const std::string sig = signature(tri);
 
-  Result result;
-  result.warnings = document.warnings;
-  Json& j = result.json;
-  if (!document.name.empty()) j["name"] = document.name;
+  Info out;
+  Json& j = out.json;
+  if (!name.empty()) j["name"] = name;
   j["tetrahedra"] = tri.size();
   j["faces"] = skeleton.face_count();
   j["edges"] = skeleton.edge_count();
@@ -78,8 +79,8 @@ Result info(const format::Document& document, const Context& context) {
   j["boundary"] = boundary_json(boundary);
   j["group"] = has_group ? group_json(group) : Json();
 
-  std::vector<std::pair<std::string, std::string>> rows;
-  if (!document.name.empty()) rows.emplace_back("name", document.name);
+  auto& rows = out.rows;
+  if (!name.empty()) rows.emplace_back("name", name);
   rows.insert(rows.end(), {{"tetrahedra", std::to_string(tri.size())},
                            {"faces", std::to_string(skeleton.face_count())},
                            {"edges", std::to_string(skeleton.edge_count())},
@@ -92,16 +93,21 @@ Result info(const format::Document& document, const Context& context) {
   if (valid) rows.emplace_back("homology", homology);
   if (has_group) rows.emplace_back("group", group.str());
   rows.emplace_back("signature", sig);
-  result.text = block(rows);
-  return result;
+  return out;
 }
-
-} // namespace
 
 Run declare_info(CLI::App& app) {
   const auto input = std::make_shared<std::string>();
   app.add_option("X", *input, "a triangulation")->required();
-  return [input](const Context& context) { return info(read_triangulation(*input), context); };
+  return [input](const Context& context) {
+    const format::Document document = read_triangulation(*input);
+    Info info = info_of(document.triangulation, document.name, context.progress);
+    Result result;
+    result.warnings = document.warnings;
+    result.json = std::move(info.json);
+    result.text = block(info.rows);
+    return result;
+  };
 }
 
 } // namespace tetrarch::program

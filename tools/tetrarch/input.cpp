@@ -2,18 +2,65 @@
 #include "input.hpp"
 
 #include "tetrarch/census/manifold.hpp"
+#include "tetrarch/core/check.hpp"
 #include "tetrarch/core/signature.hpp"
+#include "tetrarch/format/mesh_files.hpp"
 #include "tetrarch/format/read.hpp"
 #include "tetrarch/format/text.hpp"
+#include "tetrarch/mesh/fill.hpp"
+#include "tetrarch/mesh/repair.hpp"
+#include "tetrarch/mesh/tet_mesh.hpp"
+#include "tetrarch/mesh/validate.hpp"
 
 #include <filesystem>
 
 namespace tetrarch::program {
+namespace {
 
-format::Document read_triangulation(const std::string& argument) {
+/// What a valid mesh is better known to have, as sentences.
+void add_remarks(const format::Soup& soup, std::vector<std::string>& warnings) {
+  const mesh::Report report = mesh::validate(soup, 1);
+  for (const mesh::Finding& f : report.findings) {
+    if (mesh::severity_of(f.kind) == mesh::Severity::fatal) continue;
+    const std::int64_t others = report.count(f.kind) - 1;
+    warnings.push_back(soup.source + ": " + f.text +
+                       (others > 0 ? ", and " + std::to_string(others) + " more of this kind" : ""));
+  }
+}
+
+format::Document triangulation_of(format::Soup soup, const ReadOptions& options) {
+  std::vector<std::string> warnings = std::move(soup.warnings);
+  if (soup.tetrahedra.empty() && !soup.triangles.empty()) {
+    soup = mesh::fill(soup, options.progress);
+    warnings.push_back("a surface: filled with " + std::to_string(soup.tetrahedra.size()) +
+                       " tetrahedra by TetGen");
+  }
+  if (options.repair) {
+    mesh::Repaired repaired = mesh::repair(std::move(soup));
+    soup = std::move(repaired.soup);
+    warnings.insert(warnings.end(), repaired.done.begin(), repaired.done.end());
+  }
+  add_remarks(soup, warnings);
+  format::Document document = format::document_of(mesh::triangulation_of(mesh::build(std::move(soup))));
+  document.warnings = std::move(warnings);
+  return document;
+}
+
+} // namespace
+
+format::Document read_triangulation(const std::string& argument, const ReadOptions& options) {
   std::error_code ignored;
-  if (argument == "-" || std::filesystem::exists(argument, ignored))
-    return format::read_any(format::read_file(argument), format::source_name(argument));
+  if (argument == "-" || std::filesystem::exists(argument, ignored)) {
+    const std::string source = format::source_name(argument);
+    std::string text = format::read_file(argument);
+    const auto format = format::recognise_mesh(text, source);
+    if (!format) return format::read_any(text, source);
+    if (*format == format::MeshFormat::tetgen)
+      return triangulation_of(format::read_soup_file(argument), options);
+    format::Soup soup = format::read_soup(text, source);
+    text = std::string();
+    return triangulation_of(std::move(soup), options);
+  }
   if (argument.starts_with("fmp")) {
     if (const auto manifold = census::find_by_name(argument))
       return format::document_of(from_signature(manifold->signature), manifold->name);
@@ -23,6 +70,16 @@ format::Document read_triangulation(const std::string& argument) {
   if (looks_like_signature(argument)) return format::document_of(from_signature(argument));
   throw InputError(in_quotes(argument) +
                    " is no file, and neither a census name nor an isomorphism signature");
+}
+
+void require_manifold(const Triangulation& tri, const std::string& source) {
+  if (tri.size() == 0) throw InputError({source, 0}, "there are no tetrahedra");
+  const Skeleton skeleton(tri);
+  const auto defects = check(skeleton);
+  if (!defects.empty()) throw InputError({source, 0}, describe(defects.front(), skeleton));
+  if (!skeleton.is_connected())
+    throw InputError({source, 0}, "there are " + std::to_string(skeleton.component_count()) +
+                                      " components (expected one)");
 }
 
 } // namespace tetrarch::program

@@ -39,7 +39,11 @@ std::string joined(const std::vector<std::string>& items, const std::string& sep
 }
 
 std::string counted(long long n, const std::string& noun) {
-  return std::to_string(n) + " " + noun + (n == 1 ? "" : "s");
+  std::string text = std::to_string(n) + " " + noun;
+  if (n == 1) return text;
+  if (noun.ends_with("hedron")) return text.replace(text.size() - 2, 2, "a");
+  if (noun.ends_with("vertex")) return text.replace(text.size() - 2, 2, "ices");
+  return text + "s";
 }
 
 } // namespace tetrarch::program

@@ -21,7 +21,7 @@ std::string scientific(double x, int decimals);
 /// Items joined by a separator.
 std::string joined(const std::vector<std::string>& items, const std::string& separator);
 
-/// "1 manifold", "8 manifolds".
+/// "1 manifold", "8 manifolds", "2 tetrahedra", "3 vertices".
 std::string counted(long long n, const std::string& noun);
 
 } // namespace tetrarch::program

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+/// What the program says of a triangulation, wherever it gives one back.
+
+#include "command.hpp"
+
+#include "tetrarch/core/triangulation.hpp"
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace tetrarch::program {
+
+/// The fields of `info`, as JSON and as rows of text. O(n) but for the signature and the group.
+struct Info {
+  Json json;
+  std::vector<std::pair<std::string, std::string>> rows;
+};
+Info info_of(const Triangulation& tri, const std::string& name, const Progress& progress);
+
+} // namespace tetrarch::program

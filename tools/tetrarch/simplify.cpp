@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "command.hpp"
+#include "info.hpp"
+#include "input.hpp"
+#include "text.hpp"
+
+#include "tetrarch/algebra/homology.hpp"
+#include "tetrarch/core/check.hpp"
+#include "tetrarch/core/error.hpp"
+#include "tetrarch/format/read.hpp"
+#include "tetrarch/moves/truncate.hpp"
+
+#include <CLI/CLI.hpp>
+#include <chrono>
+#include <memory>
+
+namespace tetrarch::program {
+namespace {
+
+struct Options {
+  std::string input;
+  std::string output;
+  std::string log;
+  bool repair = false;
+  bool audit = false;
+  bool keep_spheres = false;
+  bool keep_boundary = false;
+};
+
+void declare_shared(CLI::App& app, Options& options) {
+  app.add_option("-o,--output", options.output, "the file to write (its extension names the format)");
+  app.add_option("--moves", options.log, "write the log of all moves, one a line, to a file");
+  app.add_flag("--repair", options.repair,
+               "mend in a mesh what can be mended: orientation, unused vertices, duplicates");
+  app.add_flag("--audit", options.audit,
+               "recheck every 1,000th move against everything computed from nothing; slow");
+}
+
+/// What a run has cost and made, beside the triangulation itself.
+struct Job {
+  format::Document input;
+  moves::SimplifyOptions simplify;
+  moves::MoveLog log;
+  std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();
+
+  double seconds() const {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  }
+};
+
+/// Compares a Complex with what is computed from nothing: the numbers of classes, and the homology.
+std::function<void(const moves::Complex&)> auditor(const Triangulation& input) {
+  const auto homology = [](const Triangulation& tri, const Skeleton& skeleton) {
+    return algebra::homology(tri, skeleton, 1).str();
+  };
+  const std::string before = homology(input, Skeleton(input));
+  return [before, homology](const moves::Complex& complex) {
+    const Triangulation tri = complex.triangulation();
+    const Skeleton skeleton(tri);
+    if (!is_valid(skeleton) || skeleton.vertex_count() != complex.vertex_count() ||
+        skeleton.edge_count() != complex.edge_count() ||
+        skeleton.boundary_face_count() != complex.boundary_face_count() || homology(tri, skeleton) != before)
+      throw PreconditionError("the audit found the complex wrong at " + std::to_string(complex.size()) +
+                              " tetrahedra");
+  };
+}
+
+Job prepare(const Options& options, const Context& context) {
+  Job run{read_triangulation(options.input, {options.repair, context.progress}), {}, {}};
+  require_manifold(run.input.triangulation, options.input);
+  run.simplify.seed = context.seed;
+  if (options.audit) run.simplify.audit = auditor(run.input.triangulation);
+  run.start = std::chrono::steady_clock::now();
+  return run;
+}
+
+/// The result as `info` has it, with what the run adds, and its files.
+Result deliver(const Options& options, const Job& run, Triangulation tri, Info info) {
+  Result result;
+  result.warnings = run.input.warnings;
+  info.json["input_tetrahedra"] = run.input.triangulation.size();
+  info.json["seconds"] = run.seconds();
+  result.json = std::move(info.json);
+  result.text = block(info.rows);
+  if (!options.output.empty()) {
+    const auto format = format::format_for_extension(options.output);
+    if (!format)
+      throw InputError({options.output, 0},
+                       "no triangulation format has this extension (expected .json, .tri, .sig or .txt)");
+    format::Document document = format::document_of(std::move(tri), run.input.name);
+    format::Written written = format::write_any(document, *format);
+    result.warnings.insert(result.warnings.end(), written.warnings.begin(), written.warnings.end());
+    result.files.push_back({options.output, std::move(written.text)});
+  }
+  if (!options.log.empty()) {
+    std::string lines;
+    for (const moves::Move& move : run.log) lines += move.str() + "\n";
+    result.files.push_back({options.log, std::move(lines)});
+  }
+  return result;
+}
+
+Result simplify(const Options& options, const Context& context) {
+  Job run = prepare(options, context);
+  if (!options.log.empty()) run.simplify.log = &run.log;
+  run.simplify.change_boundary = !options.keep_boundary;
+  moves::Complex complex(run.input.triangulation);
+  (void)moves::simplify(complex, run.simplify, context.progress);
+  Triangulation tri = complex.triangulation();
+  Info info = info_of(tri, run.input.name, context.progress);
+  return deliver(options, run, std::move(tri), std::move(info));
+}
+
+Json boundary_map(const moves::Truncation& made) {
+  Json list = Json::array();
+  for (std::size_t k = 0; k < made.boundary.size(); ++k) {
+    const moves::BoundaryImage& b = made.boundary[k];
+    const bool filled = b.vertex.tet < 0;
+    list.push_back({{"input_component", k},
+                    {"type", b.type.str()},
+                    {"triangles", b.triangles},
+                    {"vertex", filled ? Json() : Json{b.vertex.tet, b.vertex.vertex}}});
+  }
+  return list;
+}
+
+Result truncate(const Options& options, const Context& context) {
+  Job run = prepare(options, context);
+  if (!options.log.empty()) run.simplify.log = &run.log;
+  moves::TruncateOptions how;
+  how.keep_spheres = options.keep_spheres;
+  how.simplify = run.simplify;
+  moves::Truncation made = moves::truncate(run.input.triangulation, how, context.progress);
+  Info info = info_of(made.tri, run.input.name, context.progress);
+  info.json["boundary_map"] = boundary_map(made);
+  info.json["finite_vertices"] = made.finite_vertices;
+  Json steps = Json::array();
+  std::vector<std::pair<std::string, std::string>> rows;
+  for (const moves::TruncateStep& s : made.steps) {
+    steps.push_back(
+        {{"name", s.name}, {"tetrahedra", s.tetrahedra}, {"vertices", s.vertices}, {"edges", s.edges}});
+    rows.emplace_back(rows.empty() ? "steps" : "", counted(s.tetrahedra, "tetrahedron") + ", " +
+                                                       counted(s.vertices, "vertex") + ": " + s.name);
+  }
+  info.json["steps"] = std::move(steps);
+  for (std::size_t k = 0; k < made.boundary.size(); ++k) {
+    const moves::BoundaryImage& b = made.boundary[k];
+    rows.emplace_back("component " + std::to_string(k),
+                      b.type.str() + (b.vertex.tet < 0
+                                          ? ", filled in"
+                                          : ", at vertex " + std::to_string(b.vertex.vertex) +
+                                                " of tetrahedron " + std::to_string(b.vertex.tet)));
+  }
+  info.rows.insert(info.rows.begin(), rows.begin(), rows.end());
+  Result result = deliver(options, run, std::move(made.tri), std::move(info));
+  if (made.finite_vertices > 0)
+    result.warnings.push_back("the result has " + counted(made.finite_vertices, "finite vertex") +
+                              ": without other boundary there is nothing to truncate");
+  return result;
+}
+
+} // namespace
+
+Run declare_simplify(CLI::App& app) {
+  const auto options = std::make_shared<Options>();
+  app.add_option("X", options->input, "a triangulation, or a mesh")->required();
+  app.add_flag("--keep-boundary", options->keep_boundary,
+               "leave the triangles of the real boundary as they are");
+  declare_shared(app, *options);
+  return [options](const Context& context) { return simplify(*options, context); };
+}
+
+Run declare_truncate(CLI::App& app) {
+  const auto options = std::make_shared<Options>();
+  app.add_option("MESH", options->input,
+                 "a mesh of tetrahedra, a closed surface, or a triangulation with boundary")
+      ->required();
+  app.add_flag("--keep-spheres", options->keep_spheres,
+               "truncate at boundary spheres too instead of filling them in");
+  declare_shared(app, *options);
+  return [options](const Context& context) { return truncate(*options, context); };
+}
+
+} // namespace tetrarch::program
