@@ -36,6 +36,7 @@ constexpr std::array<Spelling, move_kind_count> spellings{
      {MoveKind::open_book, "open_book", Place::face},
      {MoveKind::close_book, "close_book", Place::edge},
      {MoveKind::shell, "shell", Place::tet},
+     {MoveKind::pinch, "pinch", Place::edge},
      {MoveKind::cone, "cone", Place::face},
      {MoveKind::pack, "pack", Place::none}}};
 
@@ -179,6 +180,8 @@ MaybeObstacle why_not_apply(const Complex& complex, const Move& move) {
     return why_not_close_book(complex, move.edge());
   case MoveKind::shell:
     return why_not_shell(complex, move.tet);
+  case MoveKind::pinch:
+    return why_not_pinch(complex, move.edge());
   case MoveKind::cone: {
     Complex trial = complex;
     return cone_at(trial, move.face());
@@ -220,6 +223,8 @@ MaybeObstacle apply(Complex& complex, const Move& move) {
     return close_book(complex, move.edge());
   case MoveKind::shell:
     return shell(complex, move.tet);
+  case MoveKind::pinch:
+    return pinch(complex, move.edge());
   case MoveKind::cone:
     return cone_at(complex, move.face());
   case MoveKind::pack:

@@ -106,6 +106,49 @@ MaybeObstacle merge(Complex& complex, DirectedTetEdge e) {
   return std::nullopt;
 }
 
+MaybeObstacle why_not_pinch(const Complex& complex, DirectedTetEdge e) {
+  if (complex.is_reversed(complex.edge(e))) return Obstacle::reversed_edge;
+  const VertexId from = complex.vertex({e.tet, e.from});
+  const VertexId to = complex.vertex({e.tet, e.to});
+  if (from == to) return Obstacle::same_ends;
+  if (complex.link(from) != LinkKind::sphere && complex.link(to) != LinkKind::sphere)
+    return Obstacle::both_ends_on_boundary;
+  if (complex.is_boundary(Walk{e.tet, edge_frame(e.from, e.to)}.left_face())) return Obstacle::boundary_face;
+  return std::nullopt;
+}
+
+MaybeObstacle pinch(Complex& complex, DirectedTetEdge e) {
+  if (const auto obstacle = why_not_pinch(complex, e)) return obstacle;
+  complex.begin_change();
+  const Walk near{e.tet, edge_frame(e.from, e.to)};
+  const Gluing g = complex.gluing(near.left_face());
+  const auto [from, to, third, off] = std::array{near.hold[0], near.hold[1], near.hold[2], near.hold[3]};
+  const VertexId v1 = complex.vertex({e.tet, from});
+  const VertexId v2 = complex.vertex({e.tet, to});
+  const LinkKind link = complex.link(v1) == LinkKind::sphere ? complex.link(v2) : complex.link(v1);
+  const VertexId x = complex.vertex({e.tet, third});
+  const EdgeId pinched = complex.edge(e);
+  const EdgeId a = complex.edge(DirectedTetEdge{e.tet, from, third});
+  const EdgeId b = complex.edge(DirectedTetEdge{e.tet, to, third});
+  complex.unglue({e.tet, off});
+  complex.merge_vertices(v1, v2, link);
+  const VertexId v = complex.current(v1);
+  const VertexId tip = complex.current(x);
+  // `between` has the corners v1, v2, x, v2: its faces 012 and 032 take the place of the triangle. `fold` is
+  // folded around its edge 12 and closes the other two.
+  const int between = complex.add_tet({v, v, tip, v}, {pinched, a, pinched, b, pinched, b});
+  const int fold =
+      complex.add_tet({v, v, tip, v}, {pinched, b, pinched, complex.add_edge(false), pinched, b});
+  complex.glue({fold, 0}, fold, Perm4(3, 1, 2, 0));
+  complex.glue({between, 0}, fold, Perm4(1, 0, 2, 3));
+  complex.glue({between, 2}, fold, Perm4(0, 3, 2, 1));
+  const Perm4 first = near.hold;                      // corner i of `between` on its face 012
+  const Perm4 second = near.hold * Perm4(0, 3, 2, 1); // and on its face 032
+  complex.glue({between, 3}, e.tet, first);
+  complex.glue({between, 1}, g.tet, g.perm * second);
+  return std::nullopt;
+}
+
 MergeSets merge_sets(const Complex& complex, DirectedTetEdge e) {
   const VertexId v1 = complex.vertex({e.tet, e.to});
   const VertexId v2 = complex.vertex({e.tet, e.from});

@@ -5,19 +5,10 @@
 #include <deque>
 #include <numeric>
 #include <tuple>
+#include <utility>
 
 namespace tetrarch::moves {
 namespace {
-
-/// SplitMix64 (Steele, Lea and Flood 2014), written out because <random>'s distributions differ between
-/// libraries.
-int below(std::uint64_t& state, int bound) {
-  std::uint64_t z = state += 0x9e3779b97f4a7c15U;
-  z = (z ^ (z >> 30U)) * 0xbf58476d1ce4e5b9U;
-  z = (z ^ (z >> 27U)) * 0x94d049bb133111ebU;
-  z ^= z >> 31U;
-  return static_cast<int>(((z >> 32U) * static_cast<std::uint64_t>(bound)) >> 32U);
-}
 
 /// Tetrahedra that wait to be looked at, each once.
 class Worklist {
@@ -59,6 +50,7 @@ public:
     return true;
   }
   const MoveCounts& counts() const { return counts_; }
+  MoveCounts take_counts() { return std::exchange(counts_, {}); }
 
 private:
   Complex& complex_;
@@ -162,6 +154,18 @@ std::tuple<int, int, int> weight(const Complex& complex) {
   return {complex.vertex_count(), complex.size(), complex.boundary_face_count()};
 }
 
+/// Pinches an edge from some finite vertex to another one, if there is such an edge; false if not.
+bool pinch_somewhere(Complex& complex, Mover& mover) {
+  for (int t = 0; t < complex.slot_count(); ++t) {
+    if (!complex.is_alive(t)) continue;
+    for (int e = 0; e < 6; ++e) {
+      const auto [a, b] = edge_vertex[e];
+      if (mover.made({MoveKind::pinch, t, a, b}) || mover.made({MoveKind::pinch, t, b, a})) return true;
+    }
+  }
+  return false;
+}
+
 /// Packs, and keeps account of the vertices' names.
 void pack(Complex& complex, Table<VertexId, VertexId>& vertices, MoveLog* log) {
   const Complex::Renaming names = complex.pack();
@@ -171,6 +175,10 @@ void pack(Complex& complex, Table<VertexId, VertexId>& vertices, MoveLog* log) {
 }
 
 } // namespace
+
+void MoveCounts::add(const MoveCounts& more) {
+  for (std::size_t k = 0; k < of.size(); ++k) of[k] += more.of[k];
+}
 
 long long MoveCounts::total() const {
   return std::accumulate(of.begin(), of.end(), 0LL);
@@ -183,14 +191,14 @@ MoveCounts reduce(Complex& complex, const SimplifyOptions& options, const Progre
   return reducer.counts();
 }
 
-void shake(Complex& complex, int count, std::uint64_t& state, MoveLog* log) {
+void shake(Complex& complex, int count, SplitMix64& random, MoveLog* log) {
   for (int k = 0; k < count && complex.size() > 0; ++k) {
-    int t = below(state, complex.slot_count());
+    int t = random.below(complex.slot_count());
     while (!complex.is_alive(t)) t = (t + 1) % complex.slot_count();
-    Move move{MoveKind::two_three, t, below(state, 4)};
-    if (below(state, 2) == 0) {
-      const auto [a, b] = edge_vertex[below(state, 6)];
-      move = {MoveKind::four_four, t, a, b, below(state, 2)};
+    Move move{MoveKind::two_three, t, random.below(4)};
+    if (random.below(2) == 0) {
+      const auto [a, b] = edge_vertex[random.below(6)];
+      move = {MoveKind::four_four, t, a, b, random.below(2)};
     }
     if (!apply(complex, move) && log != nullptr) log->push_back(move);
   }
@@ -199,19 +207,24 @@ void shake(Complex& complex, int count, std::uint64_t& state, MoveLog* log) {
 Simplification simplify(Complex& complex, const SimplifyOptions& options, const Progress& progress) {
   Simplification out{{}, complex.all_vertices()};
   out.counts = reduce(complex, options, progress);
+  // Rarely a finite vertex is left with no legal merge: each round removes one.
+  for (Mover mover(complex, options); pinch_somewhere(complex, mover);) {
+    out.counts.add(mover.take_counts());
+    out.counts.add(reduce(complex, options, progress));
+  }
   pack(complex, out.vertices, options.log);
-  std::uint64_t state = options.seed;
+  SplitMix64 random(options.seed);
   MoveLog excursion;
   SimplifyOptions greed = options;
   greed.log = &excursion;
-  for (int fruitless = 0; complex.size() > 1; ++fruitless) {
+  for (int fruitless = 0; complex.size() > 0; ++fruitless) {
     const int budget = std::clamp(options.excursions_per_tet * complex.size(), options.least_excursions,
                                   options.most_excursions);
     if (fruitless >= budget) break;
     progress.step("shaking", static_cast<double>(fruitless) / budget);
     Complex trial = complex;
     excursion.clear();
-    shake(trial, 1 + below(state, std::min(2 * trial.size(), 20)), state, &excursion);
+    shake(trial, 1 + random.below(std::min(2 * trial.size(), 20)), random, &excursion);
     Reducer reducer(trial, greed);
     reducer.look_at_all();
     reducer.run(progress.silent());

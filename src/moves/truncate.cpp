@@ -49,12 +49,12 @@ public:
 
   Truncation run(const Progress& progress) {
     greed_.change_boundary = false;
-    add_counts(reduce(complex_, greed_, progress));
+    out_.counts.add(reduce(complex_, greed_, progress));
     out_.steps.push_back(step_of("interior vertices merged", complex_));
     cone_all();
     out_.steps.push_back(step_of("boundary coned", complex_));
     const Simplification done = simplify(complex_, greed_, progress);
-    add_counts(done.counts);
+    out_.counts.add(done.counts);
     for (VertexId& v : stands_for_)
       if (v.value >= 0) v = done.vertices[v];
     out_.steps.push_back(step_of("old vertices merged, simplified", complex_));
@@ -64,10 +64,6 @@ public:
   }
 
 private:
-  void add_counts(const MoveCounts& counts) {
-    for (std::size_t k = 0; k < counts.of.size(); ++k) out_.counts.of[k] += counts.of[k];
-  }
-
   void cone_all() {
     std::map<VertexId, std::size_t> number;
     for (std::size_t k = 0; k < real_components_; ++k) number[complex_.current(stands_for_[k])] = k;

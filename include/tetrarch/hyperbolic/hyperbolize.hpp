@@ -38,6 +38,7 @@ enum class Outcome {
   budget_exhausted, ///< `max_iterations` were not enough
   stopped,          ///< on request; lengths and history are those reached
 };
+inline constexpr int outcome_count = 11;
 /// The name as spelt above; stable, for JSON.
 const char* to_string(Outcome outcome);
 /// Neither a structure nor a proof (rounding aside) that this triangulation has none. Note that a no is about

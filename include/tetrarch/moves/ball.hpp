@@ -17,7 +17,7 @@
 #include "tetrarch/moves/obstacle.hpp"
 
 #include <array>
-#include <boost/container/small_vector.hpp>
+#include <boost/container/static_vector.hpp>
 #include <variant>
 #include <vector>
 
@@ -32,8 +32,8 @@ struct Placed {
 
 /// The two sides of a move: at most six corners, drawn as a simplicial complex.
 struct Ball {
-  boost::container::small_vector<Placed, 4> before;
-  boost::container::small_vector<Corners, 4> after;
+  boost::container::static_vector<Placed, 4> before;
+  boost::container::static_vector<Corners, 4> after;
 };
 
 /// Replaces the ball in place: `last_change().new_tets` are in the order of the filling, vertex v at corner

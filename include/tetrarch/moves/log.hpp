@@ -34,11 +34,12 @@ enum class MoveKind : std::uint8_t {
   open_book,       ///< tet, a: face
   close_book,      ///< tet, a: from, b: to
   shell,           ///< tet
+  pinch,           ///< tet, a: from, b: to
   cone,            ///< tet, a: face: the boundary component with this triangle
   pack             ///< no move, but a renumbering: Complex::pack
 };
 
-inline constexpr int move_kind_count = 16;
+inline constexpr int move_kind_count = 17;
 
 struct Move {
   MoveKind kind = MoveKind::merge;

@@ -13,6 +13,7 @@
 /// Source: Yin, section 4.2.2, steps [1] and [3].
 
 #include "tetrarch/core/progress.hpp"
+#include "tetrarch/core/random.hpp"
 #include "tetrarch/moves/complex.hpp"
 #include "tetrarch/moves/log.hpp"
 
@@ -40,6 +41,7 @@ struct SimplifyOptions {
 struct MoveCounts {
   std::array<long long, move_kind_count> of{};
   long long operator[](MoveKind kind) const { return of[static_cast<std::size_t>(kind)]; }
+  void add(const MoveCounts& more);
   long long total() const;
 };
 
@@ -55,15 +57,15 @@ struct Simplification {
 
 /// Both parts. What is left is a local minimum: no single reducing move applies, and the last excursions
 /// found nothing smaller. Smaller triangulations may exist. Finite vertices are removed before tetrahedra are
-/// counted. The complex comes out packed. Deterministic for a seed.
+/// counted, by pinching where merging fails: one is left only where a component has no other vertex. The complex comes out packed. Deterministic for a seed.
 Simplification simplify(Complex& complex, const SimplifyOptions& options = {}, const Progress& progress = {});
 
 /// The same of a triangulation that stays as it is.
 Triangulation simplified(const Triangulation& tri, const SimplifyOptions& options = {},
                          const Progress& progress = {});
 
-/// `count` random moves that keep the manifold: 2-3 on a random face or 4-4 at a random edge, with equal
-/// chances. Attempts that are illegal count.
-void shake(Complex& complex, int count, std::uint64_t& state, MoveLog* log = nullptr);
+/// `count` random moves that keep the manifold and its vertices: 2-3 on a random face or 4-4 at a random edge,
+/// with equal chances. Attempts that are illegal count.
+void shake(Complex& complex, int count, SplitMix64& random, MoveLog* log = nullptr);
 
 } // namespace tetrarch::moves

@@ -48,8 +48,7 @@ struct Truncation {
   std::vector<BoundaryImage> boundary;
   std::vector<TruncateStep> steps;
   MoveCounts counts;
-  /// Finite vertices left: one for each closed component without other vertices; more only where the budget
-  /// was too small to merge them.
+  /// Finite vertices left: one for each component without other vertices.
   int finite_vertices = 0;
 };
 
