@@ -171,6 +171,160 @@ class Census(unittest.TestCase):
         self.assertEqual(len(run_json("census", "list")[1]["manifolds"]), 151)
 
 
+class Identify(unittest.TestCase):
+    def test_a_census_manifold_comes_back_from_a_mesh(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "large.json")
+            status, made = run_json("subdivide", "fmp3_17", "--finite", "--barycentric", "1", "--one-four", "-o", path)
+            # By hand: 28 pieces of each truncated tetrahedron, four triangles; times 24 and 6; times 4.
+            self.assertEqual(status, 0)
+            self.assertEqual((made["input_tetrahedra"], made["tetrahedra"], made["boundary_faces"]),
+                             (3, 3 * 28 * 24 * 4, 3 * 4 * 6))
+            status, found = run_json("census", "identify", path)
+            shown = run_json("census", "show", "fmp3_17")[1]
+            self.assertEqual((status, found["name"], found["by"]), (0, "fmp3_17", "isometry signature"))
+            self.assertEqual(found["isometry_signature"], shown["canonical_signature"])
+            self.assertAlmostEqual(found["volume"], float(shown["volume"]), delta=1e-10)
+            self.assertIn("simplified from 8,064 to 3 tetrahedra", found["tried"])
+            solved = run_json("hyperbolize", found["signature"])[1]
+            self.assertAlmostEqual(found["volume"], solved["volume"], delta=1e-10)
+
+    def test_without_a_structure(self):
+        # S^3 as the boundary of a 4-simplex (Regina's example).
+        status, found = run_json("census", "identify", "fvPQccdedeegovcfb")
+        self.assertEqual((status, found["name"], found["volume"], found["isometry_signature"]), (0, "S^3", None, None))
+
+    def test_nothing_found_says_what_was_tried(self):
+        # The trefoil complement (Regina's example): Seifert fibred.
+        status, found = run_json("census", "identify", "cPcbbbadu", "--attempts", "20")
+        self.assertEqual((status, found["name"], found["by"]), (4, None, None))
+        self.assertIn("no structure found on 20 triangulations", " ".join(found["tried"]))
+
+    def test_bad_input(self):
+        with tempfile.TemporaryDirectory() as folder:
+            for arguments in (["subdivide", "cPcbbbihq"], ["subdivide", "cPcbbbihq", "-o", "a.xyz"],
+                              ["subdivide", "cPcbbbihq", "--barycentric", "5", "-o", "a.json"],
+                              ["census", "identify", "baa", "--attempts", "0"], ["census", "identify", "nothing.json"]):
+                done = run(*arguments, cwd=folder)
+                self.assertEqual((done.returncode, done.stdout, done.stderr.count("\n")), (2, "", 1), arguments)
+            self.assertEqual(os.listdir(folder), [])
+
+
+KNOTTED_Y = os.path.join(SOURCE, "tests/data/knotted_y_8k.mesh")
+
+
+def medit(points, tetrahedra):
+    """A MEDIT file; tetrahedron k, counted from 0, stands on line 7 + k + the number of points."""
+    lines = ["MeshVersionFormatted 2", "Dimension 3", "Vertices", str(len(points))]
+    lines += ["%g %g %g 0" % p for p in points]
+    lines += ["Tetrahedra", str(len(tetrahedra))] + ["%d %d %d %d 0" % t for t in tetrahedra] + ["End", ""]
+    return "\n".join(lines)
+
+
+def cubes(n):
+    """A cube of n^3 cubes, each split along its diagonal into six tetrahedra."""
+    def point(x, y, z):
+        return (x * (n + 1) + y) * (n + 1) + z + 1
+    points = [(x, y, z) for x in range(n + 1) for y in range(n + 1) for z in range(n + 1)]
+    steps = [((1, 0, 0), (1, 1, 0)), ((1, 0, 0), (1, 0, 1)), ((0, 1, 0), (1, 1, 0)), ((0, 1, 0), (0, 1, 1)),
+             ((0, 0, 1), (1, 0, 1)), ((0, 0, 1), (0, 1, 1))]
+    tetrahedra = [(point(x, y, z), point(x + a[0], y + a[1], z + a[2]), point(x + b[0], y + b[1], z + b[2]),
+                   point(x + 1, y + 1, z + 1))
+                  for x in range(n) for y in range(n) for z in range(n) for a, b in steps]
+    return points, tetrahedra
+
+
+class Meshes(unittest.TestCase):
+    def test_the_knotted_y_from_its_mesh(self):
+        # Yin, sections 4.2.3 and 4.3.4: two tetrahedra, all dihedral angles pi/6; the volume by Frigerio, Martelli and
+        # Petronio (2004).
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "y.json")
+            status, made = run_json("truncate", KNOTTED_Y, "-o", path)
+            self.assertEqual((status, made["signature"], made["input_tetrahedra"]), (0, "cPcbbbihq", 7709))
+            self.assertEqual(made["boundary"], [{"kind": "ideal", "genus": 2, "orientable": True, "euler": -2}])
+            self.assertEqual([b["type"] for b in made["boundary_map"]], ["genus 2"])
+            self.assertEqual([s["vertices"] for s in made["steps"]], [1916, 1916, 1917, 1])
+            self.assertLess(made["seconds"], 10)
+            for source in (path, KNOTTED_Y):
+                status, found = run_json("hyperbolize", source)
+                self.assertEqual((status, found["outcome"], found["signature"]), (0, "geometric", "cPcbbbihq"))
+                self.assertAlmostEqual(found["volume"], 6.451990270835, delta=1e-11)
+
+    def test_moves_are_written_and_audited(self):
+        with tempfile.TemporaryDirectory() as folder:
+            log = os.path.join(folder, "moves.txt")
+            self.assertEqual(run("truncate", KNOTTED_Y, "--moves", log, "--audit").returncode, 0)
+            with open(log, encoding="ascii") as file:
+                kinds = [line.split()[0] for line in file]
+            self.assertEqual(kinds.count("cone"), 1)
+            # Every vertex of the file goes, by one of these.
+            gone = sum(kinds.count(kind) for kind in ("merge", "pinch", "two_zero_vertex", "four_one"))
+            self.assertEqual(gone - kinds.count("one_four") - kinds.count("zero_two_face"), 1916)
+
+    def test_simplify(self):
+        text = medit(*cubes(4))
+        done = run("simplify", "-", "--json", stdin=text)
+        info = json.loads(done.stdout)
+        self.assertEqual((info["input_tetrahedra"], info["tetrahedra"], info["homology"]), (384, 1, "0"))
+        kept = json.loads(run("simplify", "-", "--keep-boundary", "--json", stdin=text).stdout)
+        self.assertGreater(kept["tetrahedra"], 4 * 4 * 6 * 2 // 4)
+
+    def test_repair(self):
+        points = [(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1), (1, 1, 1), (9, 9, 9)]
+        text = medit(points, [(1, 2, 3, 4), (2, 3, 4, 5), (4, 3, 2, 1), (5, 4, 3, 2)])
+        refused = run("info", "-", stdin=text)
+        self.assertEqual(refused.returncode, 2)
+        self.assertIn("standard input:15:", refused.stderr)
+        done = run("simplify", "-", "--repair", "--json", stdin=text)
+        self.assertEqual(done.returncode, 0)
+        self.assertEqual(json.loads(done.stdout)["input_tetrahedra"], 2)
+        for word in ("duplicate", "unused"):
+            self.assertIn(word, done.stderr)
+
+    def test_bad_meshes(self):
+        points = [(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1), (1, 1, 1), (-1, -1, -1), (2, 2, 0), (0, 2, 2)]
+        cases = {
+            "index out of range": ([(1, 2, 3, 9)], "15"),
+            "repeated vertex": ([(1, 2, 3, 3)], "15"),
+            "duplicate": ([(1, 2, 3, 4), (2, 1, 3, 4)], "16"),
+            "face shared by three": ([(1, 2, 3, 4), (1, 2, 3, 5), (1, 2, 3, 6)], None),
+            "edge in the middle of nothing": ([(1, 2, 3, 4), (1, 2, 5, 6)], None),
+            "vertex in the middle of nothing": ([(1, 2, 3, 4), (1, 5, 6, 7)], None),
+            "two components": ([(1, 2, 3, 4), (5, 6, 7, 8)], None),
+            "no tetrahedra": ([], None),
+        }
+        for name, (tetrahedra, line) in cases.items():
+            for command in ("info", "truncate", "hyperbolize"):
+                if (name, command) == ("two components", "info"):
+                    continue
+                done = run(command, "-", stdin=medit(points, tetrahedra))
+                self.assertEqual((done.returncode, done.stdout), (2, ""), (name, command, done.stderr))
+                errors = [e for e in done.stderr.splitlines() if "warning" not in e]
+                self.assertEqual(len(errors), 1, (name, done.stderr))
+                if line:
+                    self.assertIn("standard input:%s:" % line, errors[0], name)
+
+    def test_a_mesh_cut_anywhere_is_refused_or_whole(self):
+        text = medit(*cubes(1)).replace("\nEnd\n", "")
+        for end in range(0, len(text) - 2, 7):
+            done = run("truncate", "-", stdin=text[:end])
+            self.assertEqual((done.returncode, done.stdout, done.stderr.count("\n")), (2, "", 1), end)
+
+    def test_an_interrupted_conversion_leaves_no_file(self):
+        with tempfile.TemporaryDirectory() as folder:
+            mesh = os.path.join(folder, "cubes.mesh")
+            with open(mesh, "w", encoding="ascii") as file:
+                file.write(medit(*cubes(36)))
+            job = subprocess.Popen([PROGRAM, "truncate", "cubes.mesh", "-o", "out.json", "--moves", "log.txt"],
+                                   cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+            time.sleep(0.15)
+            job.send_signal(signal.SIGINT)
+            self.assertEqual(job.wait(timeout=120), 130)
+            job.communicate()
+            self.assertEqual(os.listdir(folder), ["cubes.mesh"])
+
+
 class BadInput(unittest.TestCase):
     """Each: exit status 2, one line that names place and cause, nothing on standard output, nothing written."""
 
@@ -259,7 +413,8 @@ class Manners(unittest.TestCase):
             self.assertIn("hyperbolize", names)
             for name in names:
                 subs = [[name]] if name != "census" else [["census", s] for s in
-                                                          ("gluings", "enumerate", "validate", "list", "show")]
+                                                          ("gluings", "enumerate", "validate", "list", "show",
+                                                           "identify")]
                 for sub in subs:
                     example = run(*sub, "--help").stdout.split("Example:")[1].split()
                     self.assertEqual(example[0], "tetrarch")

@@ -58,6 +58,9 @@ const std::vector<Command>& commands();
 
 Run declare_info(CLI::App& app);
 Run declare_convert(CLI::App& app);
+Run declare_simplify(CLI::App& app);
+Run declare_truncate(CLI::App& app);
+Run declare_subdivide(CLI::App& app);
 Run declare_hyperbolize(CLI::App& app);
 Run declare_canonize(CLI::App& app);
 Run declare_isometric(CLI::App& app);
@@ -66,5 +69,6 @@ Run declare_census_enumerate(CLI::App& app);
 Run declare_census_validate(CLI::App& app);
 Run declare_census_list(CLI::App& app);
 Run declare_census_show(CLI::App& app);
+Run declare_census_identify(CLI::App& app);
 
 } // namespace tetrarch::program

@@ -9,6 +9,12 @@ const std::vector<Command>& commands() {
        "tetrarch info cPcbbbihq", declare_info},
       {"convert", "between all triangulation formats", "tetrarch convert cPcbbbiht -o figure8.tri",
        declare_convert},
+      {"simplify", "fewer tetrahedra, the same manifold", "tetrarch simplify gvLQQedfedffrwawrhh",
+       declare_simplify},
+      {"truncate", "from a mesh of a solid to a few truncated tetrahedra",
+       "tetrarch truncate tests/data/knotted_y_8k.mesh -o knotted_y.json", declare_truncate},
+      {"subdivide", "more tetrahedra, the same manifold; real boundary in place of ideal vertices",
+       "tetrarch subdivide cPcbbbihq --finite --barycentric 1 -o knotted_y_mesh.json", declare_subdivide},
       {"hyperbolize", "the structure with geodesic boundary and cusps, by Newton's method or Luo's flow",
        "tetrarch hyperbolize cPcbbbihq", declare_hyperbolize},
       {"canonize", "canonical cells, isometry signature and isometry group", "tetrarch canonize fmp3_1",
@@ -25,6 +31,8 @@ const std::vector<Command>& commands() {
        declare_census_list},
       {"census show", "everything stored about one manifold", "tetrarch census show fmp3_17",
        declare_census_show},
+      {"census identify", "the name of a manifold, in whatever triangulation",
+       "tetrarch census identify eLPkbdcddhgggb", declare_census_identify},
   };
   return table;
 }

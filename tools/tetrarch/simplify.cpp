@@ -41,12 +41,17 @@ struct Job {
   format::Document input;
   moves::SimplifyOptions simplify;
   moves::MoveLog log;
-  std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();
-
-  double seconds() const {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  }
+  double seconds = 0; ///< of the simplification alone, without reading and describing
 };
+
+/// Runs `job` and takes its time.
+template <class Work>
+auto timed(Job& job, Work work) {
+  const auto start = std::chrono::steady_clock::now();
+  auto result = work();
+  job.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return result;
+}
 
 /// Compares a Complex with what is computed from nothing: the numbers of classes, and the homology.
 std::function<void(const moves::Complex&)> auditor(const Triangulation& input) {
@@ -66,11 +71,13 @@ std::function<void(const moves::Complex&)> auditor(const Triangulation& input) {
 }
 
 Job prepare(const Options& options, const Context& context) {
+  if (!options.output.empty() && !format::format_for_extension(options.output))
+    throw InputError({options.output, 0},
+                     "no triangulation format has this extension (expected .json, .tri, .sig or .txt)");
   Job run{read_triangulation(options.input, {options.repair, context.progress}), {}, {}};
   require_manifold(run.input.triangulation, options.input);
   run.simplify.seed = context.seed;
   if (options.audit) run.simplify.audit = auditor(run.input.triangulation);
-  run.start = std::chrono::steady_clock::now();
   return run;
 }
 
@@ -79,16 +86,12 @@ Result deliver(const Options& options, const Job& run, Triangulation tri, Info i
   Result result;
   result.warnings = run.input.warnings;
   info.json["input_tetrahedra"] = run.input.triangulation.size();
-  info.json["seconds"] = run.seconds();
+  info.json["seconds"] = run.seconds;
   result.json = std::move(info.json);
   result.text = block(info.rows);
   if (!options.output.empty()) {
-    const auto format = format::format_for_extension(options.output);
-    if (!format)
-      throw InputError({options.output, 0},
-                       "no triangulation format has this extension (expected .json, .tri, .sig or .txt)");
     format::Document document = format::document_of(std::move(tri), run.input.name);
-    format::Written written = format::write_any(document, *format);
+    format::Written written = format::write_any(document, *format::format_for_extension(options.output));
     result.warnings.insert(result.warnings.end(), written.warnings.begin(), written.warnings.end());
     result.files.push_back({options.output, std::move(written.text)});
   }
@@ -104,9 +107,8 @@ Result simplify(const Options& options, const Context& context) {
   Job run = prepare(options, context);
   if (!options.log.empty()) run.simplify.log = &run.log;
   run.simplify.change_boundary = !options.keep_boundary;
-  moves::Complex complex(run.input.triangulation);
-  (void)moves::simplify(complex, run.simplify, context.progress);
-  Triangulation tri = complex.triangulation();
+  Triangulation tri = timed(
+      run, [&] { return moves::simplified(run.input.triangulation, run.simplify, context.progress); });
   Info info = info_of(tri, run.input.name, context.progress);
   return deliver(options, run, std::move(tri), std::move(info));
 }
@@ -130,7 +132,8 @@ Result truncate(const Options& options, const Context& context) {
   moves::TruncateOptions how;
   how.keep_spheres = options.keep_spheres;
   how.simplify = run.simplify;
-  moves::Truncation made = moves::truncate(run.input.triangulation, how, context.progress);
+  moves::Truncation made =
+      timed(run, [&] { return moves::truncate(run.input.triangulation, how, context.progress); });
   Info info = info_of(made.tri, run.input.name, context.progress);
   info.json["boundary_map"] = boundary_map(made);
   info.json["finite_vertices"] = made.finite_vertices;

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "command.hpp"
+#include "input.hpp"
+#include "text.hpp"
+
+#include "tetrarch/census/identify.hpp"
+#include "tetrarch/core/error.hpp"
+#include "tetrarch/core/signature.hpp"
+#include "tetrarch/core/skeleton.hpp"
+#include "tetrarch/format/read.hpp"
+#include "tetrarch/moves/subdivide.hpp"
+
+#include <CLI/CLI.hpp>
+#include <memory>
+
+namespace tetrarch::program {
+namespace {
+
+Result identify(const std::string& input, int attempts, const Context& context) {
+  using census::Identification;
+  const format::Document document = read_triangulation(input, {false, context.progress});
+  require_manifold(document.triangulation, input);
+  const Identification found =
+      census::identify(document.triangulation, {context.seed, attempts}, context.progress);
+  const auto or_null = [](const std::string& text) { return text.empty() ? Json() : Json(text); };
+
+  Result result;
+  result.warnings = document.warnings;
+  result.status = found ? Status::done : Status::undecided;
+  result.json["name"] = or_null(found.name);
+  result.json["by"] = found ? Json(to_string(found.by)) : Json();
+  result.json["volume"] = found.volume ? Json(*found.volume) : Json();
+  result.json["isometry_signature"] = or_null(found.isometry_signature);
+  result.json["signature"] = signature(found.triangulation);
+  result.json["confirmed_only"] = found.confirmed_only;
+  result.json["tried"] = found.tried;
+
+  std::vector<std::pair<std::string, std::string>> rows{{"name", found ? found.name : "none found"}};
+  if (found) rows.emplace_back("by", to_string(found.by));
+  if (found.volume) rows.emplace_back("volume", fixed(*found.volume, 12));
+  for (std::size_t k = 0; k < found.tried.size(); ++k)
+    rows.emplace_back(k == 0 ? "tried" : "", found.tried[k]);
+  result.text = block(rows);
+  return result;
+}
+
+struct SubdivideOptions {
+  std::string input;
+  std::string output;
+  int barycentric = 0;
+  bool one_four = false;
+  bool finite = false;
+};
+
+/// A file of this many is a gigabyte.
+constexpr long long most_tetrahedra = 10'000'000;
+
+void require_room(long long tetrahedra, const std::string& input) {
+  if (tetrahedra > most_tetrahedra)
+    throw InputError({input, 0}, "this would make " + std::to_string(tetrahedra) + " tetrahedra (at most " +
+                                     std::to_string(most_tetrahedra) + ")");
+}
+
+Triangulation subdivided(Triangulation tri, const SubdivideOptions& options, const Context& context) {
+  const long long most_pieces = options.finite ? 28 : 1;
+  require_room(most_pieces * tri.size(), options.input);
+  if (options.finite) tri = moves::finite_model(tri).tri;
+  for (int k = 0; k < options.barycentric; ++k) {
+    context.progress.step("subdividing", static_cast<double>(k) / options.barycentric);
+    require_room(static_cast<long long>(Perm4::count) * tri.size(), options.input);
+    tri = moves::barycentric(tri).tri;
+  }
+  require_room((options.one_four ? 4LL : 1LL) * tri.size(), options.input);
+  if (options.one_four) tri = moves::subdivided_1_4(tri).tri;
+  return tri;
+}
+
+Result subdivide(const SubdivideOptions& options, const Context& context) {
+  const auto format = format::format_for_extension(options.output);
+  if (!format)
+    throw InputError({options.output, 0},
+                     "no triangulation format has this extension (expected .json, .tri, .sig or .txt)");
+  format::Document document = read_triangulation(options.input, {false, context.progress});
+  const int before = document.triangulation.size();
+  Triangulation tri = subdivided(std::move(document.triangulation), options, context);
+  const Skeleton skeleton(tri);
+  Result result;
+  result.warnings = document.warnings;
+  result.json = {{"input_tetrahedra", before},
+                 {"tetrahedra", tri.size()},
+                 {"faces", skeleton.face_count()},
+                 {"edges", skeleton.edge_count()},
+                 {"vertices", skeleton.vertex_count()},
+                 {"boundary_faces", skeleton.boundary_face_count()},
+                 {"output", options.output}};
+  result.text = counted(tri.size(), "tetrahedron") + ", " + counted(skeleton.vertex_count(), "vertex") +
+                ", " + counted(skeleton.boundary_face_count(), "boundary face") + " written to " +
+                options.output + "\n";
+  format::Written written = format::write_any(format::document_of(std::move(tri), document.name), *format);
+  result.warnings.insert(result.warnings.end(), written.warnings.begin(), written.warnings.end());
+  result.files.push_back({options.output, std::move(written.text)});
+  return result;
+}
+
+} // namespace
+
+Run declare_census_identify(CLI::App& app) {
+  const auto input = std::make_shared<std::string>();
+  const auto attempts = std::make_shared<int>(census::IdentifyOptions().attempts);
+  app.add_option("X", *input, "a triangulation, or a mesh")->required();
+  app.add_option("--attempts", *attempts, "triangulations on which a structure is sought")
+      ->check(CLI::Range(1, 1'000'000))
+      ->capture_default_str();
+  return [input, attempts](const Context& context) { return identify(*input, *attempts, context); };
+}
+
+Run declare_subdivide(CLI::App& app) {
+  const auto options = std::make_shared<SubdivideOptions>();
+  app.add_option("X", options->input, "a triangulation, or a mesh")->required();
+  app.add_flag("--finite", options->finite, "first give ideal vertices real boundary: cut them off");
+  app.add_option("--barycentric", options->barycentric, "then so many times 24 tetrahedra for each one")
+      ->check(CLI::Range(0, 5));
+  app.add_flag("--one-four", options->one_four, "then 4 for each one");
+  app.add_option("-o,--output", options->output, "the file to write (its extension names the format)")
+      ->required();
+  return [options](const Context& context) { return subdivide(*options, context); };
+}
+
+} // namespace tetrarch::program
