@@ -31,7 +31,7 @@ Canonical canonized(const char* name) {
 /// A few random 2-3 moves.
 Triangulation grown(Triangulation tri, std::mt19937_64& random) {
   for (int made = 0; made < 3;) {
-    const auto ball = moves::two_three(tri, {static_cast<int>(random() % static_cast<unsigned>(tri.size())),
+    const auto ball = moves::two_three_ball(tri, {static_cast<int>(random() % static_cast<unsigned>(tri.size())),
                                              static_cast<int>(random() % 4)});
     if (!std::holds_alternative<moves::Ball>(ball)) continue;
     tri = moves::replace(tri, std::get<moves::Ball>(ball)).tri;
@@ -157,7 +157,7 @@ TEST_CASE("the coned triangulation forgets how a cell was cut", "[canonical]") {
       continue;
     for (const int axis : {0, 1}) {
       const Walk& w = around.front();
-      const auto ball = moves::four_four(tri, {w.tet, w.from(), w.to()}, axis);
+      const auto ball = moves::four_four_ball(tri, {w.tet, w.from(), w.to()}, axis);
       REQUIRE(std::holds_alternative<moves::Ball>(ball));
       const moves::Replaced other = moves::replace(tri, std::get<moves::Ball>(ball));
       FlatFaces flat(4, {false, false, false, false});

@@ -305,6 +305,31 @@ class Meshes(unittest.TestCase):
                 if line:
                     self.assertIn("standard input:%s:" % line, errors[0], name)
 
+    def test_check_tells_everything_by_element_and_line(self):
+        points = [(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1), (1, 1, 1), (9, 9, 9)]
+        text = medit(points, [(1, 2, 3, 4), (2, 3, 4, 4), (4, 3, 2, 1), (2, 4, 3, 5), (1, 2, 3, 7)])
+        done = run("check", "-", "--json", stdin=text)
+        report = json.loads(done.stdout)
+        self.assertEqual(done.returncode, 1)
+        # By hand: tetrahedron 2 repeats a vertex, 3 is 1 again, 4 has negative volume, 5 names a vertex too many;
+        # vertex 6 is used by nobody.
+        self.assertEqual([(f["kind"], f["number"], f["line"]) for f in report["findings"]],
+                         [("index_out_of_range", 5, 17), ("repeated_vertex", 2, 14), ("duplicate", 3, 15),
+                          ("inverted", 4, 16), ("unused_vertex", 6, 10)])
+        self.assertEqual(report["fatal"], 2)
+        plain = run("check", "-", stdin=text)
+        self.assertEqual(plain.stdout.count("standard input:"), 5)
+
+    def test_meshes_become_meshes(self):
+        with tempfile.TemporaryDirectory() as folder:
+            before = KNOTTED_Y
+            for name in ("a.msh", "b.vtk", "c.vtu", "d.node", "e.mesh"):
+                path = os.path.join(folder, name)
+                status, made = run_json("convert", before, "-o", path)
+                self.assertEqual((status, made["tetrahedra"]), (0, 7709), name)
+                before = path
+            self.assertEqual(run_json("truncate", before)[1]["signature"], "cPcbbbihq")
+
     def test_a_mesh_cut_anywhere_is_refused_or_whole(self):
         text = medit(*cubes(1)).replace("\nEnd\n", "")
         for end in range(0, len(text) - 2, 7):
@@ -407,6 +432,7 @@ class BadInput(unittest.TestCase):
 class Manners(unittest.TestCase):
     def test_examples_work_as_typed(self):
         with tempfile.TemporaryDirectory() as folder:
+            os.symlink(os.path.join(SOURCE, "tests"), os.path.join(folder, "tests"))  # examples read its data
             help_page = run("--help").stdout
             names = [line.split()[0] for line in help_page.split("Subcommands:")[1].splitlines()
                      if line.startswith("  ") and line[2] != " "]
@@ -424,7 +450,7 @@ class Manners(unittest.TestCase):
     def test_version_names_the_libraries(self):
         done = run("--version")
         self.assertEqual(done.returncode, 0)
-        for library in ("Boost", "Eigen", "GMP", "MPFR", "nlohmann-json", "CLI11"):
+        for library in ("Boost", "Eigen", "GMP", "MPFR", "nlohmann-json", "CLI11", "pugixml", "zlib"):
             self.assertIn(library, done.stdout)
 
     def test_an_interrupted_job_leaves_no_file(self):

@@ -58,6 +58,7 @@ const std::vector<Command>& commands();
 
 Run declare_info(CLI::App& app);
 Run declare_convert(CLI::App& app);
+Run declare_check(CLI::App& app);
 Run declare_simplify(CLI::App& app);
 Run declare_truncate(CLI::App& app);
 Run declare_subdivide(CLI::App& app);

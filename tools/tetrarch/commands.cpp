@@ -7,8 +7,10 @@ const std::vector<Command>& commands() {
   static const std::vector<Command> table{
       {"info", "sizes, validity, orientability, vertex links, boundary, homology, group, signature",
        "tetrarch info cPcbbbihq", declare_info},
-      {"convert", "between all triangulation formats", "tetrarch convert cPcbbbiht -o figure8.tri",
-       declare_convert},
+      {"convert", "between all triangulation formats, and between mesh formats",
+       "tetrarch convert cPcbbbiht -o figure8.tri", declare_convert},
+      {"check", "everything that is wrong with a mesh, by element and line",
+       "tetrarch check tests/data/knotted_y_8k.mesh", declare_check},
       {"simplify", "fewer tetrahedra, the same manifold", "tetrarch simplify gvLQQedfedffrwawrhh",
        declare_simplify},
       {"truncate", "from a mesh of a solid to a few truncated tetrahedra",

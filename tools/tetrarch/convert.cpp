@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "command.hpp"
 #include "input.hpp"
+#include "output.hpp"
 
 #include "tetrarch/core/error.hpp"
+#include "tetrarch/format/mesh_files.hpp"
 #include "tetrarch/format/read.hpp"
 
 #include <CLI/CLI.hpp>
@@ -21,12 +23,29 @@ struct Options {
 format::FileFormat target(const Options& options) {
   if (options.to) return *options.to;
   if (options.output.empty()) return format::FileFormat::json;
-  if (const auto format = format::format_for_extension(options.output)) return *format;
-  throw InputError({options.output, 0},
-                   "no format has this extension (expected .json, .tri, .sig, .txt or .fmp, or --to)");
+  return output_format(options.output);
+}
+
+/// From mesh to mesh, without asking whether it is good for anything: `check` does.
+Result convert_mesh(const Options& options, format::MeshFormat to) {
+  const format::Soup soup = format::read_soup_file(options.input);
+  Result result;
+  result.warnings = soup.warnings;
+  result.json = {{"output", options.output},
+                 {"format", format::name_of(to)},
+                 {"tetrahedra", soup.tetrahedra.size()},
+                 {"triangles", soup.triangles.size()},
+                 {"warnings", result.warnings}};
+  if (to == format::MeshFormat::tetgen)
+    format::write_soup_file(soup, options.output); // two files
+  else
+    result.files.push_back({options.output, format::write_soup(soup, to)});
+  return result;
 }
 
 Result convert(const Options& options) {
+  if (const auto to = format::mesh_format_for_extension(options.output); to && !options.to)
+    return convert_mesh(options, *to);
   const format::Document document = read_triangulation(options.input);
   const format::FileFormat to = target(options);
   format::Written written = format::write_any(document, to);
@@ -53,7 +72,7 @@ Run declare_convert(CLI::App& app) {
                                                                  {"tri", format::FileFormat::snappea},
                                                                  {"sig", format::FileFormat::signature},
                                                                  {"fmp", format::FileFormat::fmp}};
-  app.add_option("X", options->input, "a triangulation")->required();
+  app.add_option("X", options->input, "a triangulation or a mesh; a mesh may become a mesh")->required();
   app.add_option("-o,--output", options->output, "the file to write (its extension names the format)");
   app.add_option("--to", options->to, "the format: json, tri, sig or fmp; standard output if there is no -o")
       ->transform(CLI::CheckedTransformer(formats).description("{json,tri,sig,fmp}"));

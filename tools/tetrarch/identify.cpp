@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "command.hpp"
 #include "input.hpp"
+#include "output.hpp"
 #include "text.hpp"
 
 #include "tetrarch/census/identify.hpp"
@@ -76,10 +77,7 @@ Triangulation subdivided(Triangulation tri, const SubdivideOptions& options, con
 }
 
 Result subdivide(const SubdivideOptions& options, const Context& context) {
-  const auto format = format::format_for_extension(options.output);
-  if (!format)
-    throw InputError({options.output, 0},
-                     "no triangulation format has this extension (expected .json, .tri, .sig or .txt)");
+  output_format(options.output);
   format::Document document = read_triangulation(options.input, {false, context.progress});
   const int before = document.triangulation.size();
   Triangulation tri = subdivided(std::move(document.triangulation), options, context);
@@ -96,9 +94,7 @@ Result subdivide(const SubdivideOptions& options, const Context& context) {
   result.text = counted(tri.size(), "tetrahedron") + ", " + counted(skeleton.vertex_count(), "vertex") +
                 ", " + counted(skeleton.boundary_face_count(), "boundary face") + " written to " +
                 options.output + "\n";
-  format::Written written = format::write_any(format::document_of(std::move(tri), document.name), *format);
-  result.warnings.insert(result.warnings.end(), written.warnings.begin(), written.warnings.end());
-  result.files.push_back({options.output, std::move(written.text)});
+  add_file(result, options.output, format::document_of(std::move(tri), document.name));
   return result;
 }
 

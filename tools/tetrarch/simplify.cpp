@@ -2,6 +2,7 @@
 #include "command.hpp"
 #include "info.hpp"
 #include "input.hpp"
+#include "output.hpp"
 #include "text.hpp"
 
 #include "tetrarch/algebra/homology.hpp"
@@ -71,9 +72,7 @@ std::function<void(const moves::Complex&)> auditor(const Triangulation& input) {
 }
 
 Job prepare(const Options& options, const Context& context) {
-  if (!options.output.empty() && !format::format_for_extension(options.output))
-    throw InputError({options.output, 0},
-                     "no triangulation format has this extension (expected .json, .tri, .sig or .txt)");
+  if (!options.output.empty()) output_format(options.output);
   Job run{read_triangulation(options.input, {options.repair, context.progress}), {}, {}};
   require_manifold(run.input.triangulation, options.input);
   run.simplify.seed = context.seed;
@@ -89,12 +88,8 @@ Result deliver(const Options& options, const Job& run, Triangulation tri, Info i
   info.json["seconds"] = run.seconds;
   result.json = std::move(info.json);
   result.text = block(info.rows);
-  if (!options.output.empty()) {
-    format::Document document = format::document_of(std::move(tri), run.input.name);
-    format::Written written = format::write_any(document, *format::format_for_extension(options.output));
-    result.warnings.insert(result.warnings.end(), written.warnings.begin(), written.warnings.end());
-    result.files.push_back({options.output, std::move(written.text)});
-  }
+  if (!options.output.empty())
+    add_file(result, options.output, format::document_of(std::move(tri), run.input.name));
   if (!options.log.empty()) {
     std::string lines;
     for (const moves::Move& move : run.log) lines += move.str() + "\n";
@@ -107,8 +102,8 @@ Result simplify(const Options& options, const Context& context) {
   Job run = prepare(options, context);
   if (!options.log.empty()) run.simplify.log = &run.log;
   run.simplify.change_boundary = !options.keep_boundary;
-  Triangulation tri = timed(
-      run, [&] { return moves::simplified(run.input.triangulation, run.simplify, context.progress); });
+  Triangulation tri =
+      timed(run, [&] { return moves::simplified(run.input.triangulation, run.simplify, context.progress); });
   Info info = info_of(tri, run.input.name, context.progress);
   return deliver(options, run, std::move(tri), std::move(info));
 }

@@ -7,6 +7,8 @@
 #include <gmp.h>
 #include <mpfr.h>
 #include <nlohmann/json.hpp>
+#include <pugixml.hpp>
+#include <zlib.h>
 
 namespace tetrarch::program {
 namespace {
@@ -24,7 +26,9 @@ std::string version_text() {
          dotted(EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION) + ", GMP " + gmp_version +
          ", MPFR " + mpfr_get_version() + ", nlohmann-json " +
          dotted(NLOHMANN_JSON_VERSION_MAJOR, NLOHMANN_JSON_VERSION_MINOR, NLOHMANN_JSON_VERSION_PATCH) +
-         ", CLI11 " CLI11_VERSION;
+         ", CLI11 " CLI11_VERSION ", pugixml " +
+         dotted(PUGIXML_VERSION / 1000, PUGIXML_VERSION / 10 % 100, PUGIXML_VERSION % 10) + ", zlib " +
+         zlibVersion();
 }
 
 } // namespace tetrarch::program

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "output.hpp"
+
+#include "tetrarch/core/error.hpp"
+
+namespace tetrarch::program {
+
+format::FileFormat output_format(const std::string& path) {
+  if (const auto format = format::format_for_extension(path)) return *format;
+  throw InputError({path, 0},
+                   "no triangulation format has this extension (expected .json, .tri, .sig, .txt or .fmp)");
+}
+
+void add_file(Result& result, const std::string& path, const format::Document& document) {
+  format::Written written = format::write_any(document, output_format(path));
+  result.warnings.insert(result.warnings.end(), written.warnings.begin(), written.warnings.end());
+  result.files.push_back({path, std::move(written.text)});
+}
+
+} // namespace tetrarch::program

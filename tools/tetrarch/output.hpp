@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+/// Files of triangulations as results.
+
+#include "command.hpp"
+
+#include "tetrarch/format/document.hpp"
+#include "tetrarch/format/read.hpp"
+
+#include <string>
+
+namespace tetrarch::program {
+
+/// The format that the extension of an output file names. Throws InputError that lists what is known; asked
+/// before a long job rather than after it.
+format::FileFormat output_format(const std::string& path);
+
+/// Adds the file to the result, and what its reader will miss to the warnings.
+void add_file(Result& result, const std::string& path, const format::Document& document);
+
+} // namespace tetrarch::program
