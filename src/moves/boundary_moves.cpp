@@ -32,8 +32,8 @@ int spine_corner(const Complex& complex, TetFace f) {
   return on_boundary == 2 ? corner : -1;
 }
 
-/// Gives the part of a boundary edge at this side of a triangle that was just opened a class of its own, unless
-/// it is all that is left of the class.
+/// Gives the part of a boundary edge at this side of a triangle that was just opened a class of its own,
+/// unless it is all that is left of the class.
 void split_boundary_edge(Complex& complex, TetFace f, int a, int b) {
   const EdgeId whole = complex.edge(DirectedTetEdge{f.tet, a, b});
   // f lies to the right: walk left, to the other end.

@@ -166,12 +166,15 @@ bool pinch_somewhere(Complex& complex, Mover& mover) {
   return false;
 }
 
-/// Packs, and keeps account of the vertices' names.
-void pack(Complex& complex, Table<VertexId, VertexId>& vertices, MoveLog* log) {
-  const Complex::Renaming names = complex.pack();
-  for (VertexId& v : vertices)
-    if (v.value >= 0) v = names.vertex[v];
+Table<VertexId, VertexId> pack(Complex& complex, MoveLog* log) {
   if (log != nullptr) log->push_back({MoveKind::pack});
+  return complex.pack().vertex;
+}
+
+/// First one renaming, then the other.
+void rename(Table<VertexId, VertexId>& names, const Table<VertexId, VertexId>& then) {
+  for (VertexId& v : names)
+    if (v.value >= 0) v = then[v];
 }
 
 } // namespace
@@ -212,7 +215,9 @@ Simplification simplify(Complex& complex, const SimplifyOptions& options, const 
     out.counts.add(mover.take_counts());
     out.counts.add(reduce(complex, options, progress));
   }
-  pack(complex, out.vertices, options.log);
+  rename(out.vertices, pack(complex, options.log));
+  // Few are left now: their names are carried along apart from those of the many of before.
+  Table<VertexId, VertexId> few = complex.all_vertices();
   SplitMix64 random(options.seed);
   MoveLog excursion;
   SimplifyOptions greed = options;
@@ -233,8 +238,9 @@ Simplification simplify(Complex& complex, const SimplifyOptions& options, const 
     complex = std::move(trial);
     for (const Move& move : excursion) ++out.counts.of[static_cast<std::size_t>(move.kind)];
     if (options.log != nullptr) options.log->insert(options.log->end(), excursion.begin(), excursion.end());
-    pack(complex, out.vertices, options.log);
+    rename(few, pack(complex, options.log));
   }
+  rename(out.vertices, few);
   return out;
 }
 

@@ -31,8 +31,9 @@ Canonical canonized(const char* name) {
 /// A few random 2-3 moves.
 Triangulation grown(Triangulation tri, std::mt19937_64& random) {
   for (int made = 0; made < 3;) {
-    const auto ball = moves::two_three_ball(tri, {static_cast<int>(random() % static_cast<unsigned>(tri.size())),
-                                             static_cast<int>(random() % 4)});
+    const auto ball =
+        moves::two_three_ball(tri, {static_cast<int>(random() % static_cast<unsigned>(tri.size())),
+                                    static_cast<int>(random() % 4)});
     if (!std::holds_alternative<moves::Ball>(ball)) continue;
     tri = moves::replace(tri, std::get<moves::Ball>(ball)).tri;
     ++made;

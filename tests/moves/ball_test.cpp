@@ -94,7 +94,8 @@ TEST_CASE("random moves keep the manifold, and a 4-4 move can be undone", "[move
 
 TEST_CASE("a move that cannot be made names its obstacle", "[moves]") {
   const Triangulation one = from_signature("baa"); // one tetrahedron, nothing glued
-  CHECK(std::get<Obstacle>(two_three_ball(from_signature("bkaagb"), {0, 0})) == Obstacle::repeated_tetrahedron);
+  CHECK(std::get<Obstacle>(two_three_ball(from_signature("bkaagb"), {0, 0})) ==
+        Obstacle::repeated_tetrahedron);
   int boundary = 0;
   for (int f = 0; f < 4; ++f) {
     const BallOrObstacle ball = two_three_ball(one, {0, f});
@@ -103,7 +104,8 @@ TEST_CASE("a move that cannot be made names its obstacle", "[moves]") {
   }
   CHECK(boundary == 4);
   // The knotted Y has one edge class, of valence 12.
-  CHECK(std::get<Obstacle>(three_two_ball(from_signature("cPcbbbihq"), {0, 0, 1})) == Obstacle::wrong_valence);
+  CHECK(std::get<Obstacle>(three_two_ball(from_signature("cPcbbbihq"), {0, 0, 1})) ==
+        Obstacle::wrong_valence);
   CHECK(std::string(to_string(Obstacle::wrong_valence)) == "another number of tetrahedra meets there");
 }
 

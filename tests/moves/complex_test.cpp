@@ -25,7 +25,8 @@ std::string invariants(const Triangulation& tri) {
   const Skeleton skeleton(tri);
   std::string text = topology_text(tri);
   if (is_valid(skeleton))
-    for (int k = 0; k <= 3; ++k) text += "; H" + std::to_string(k) + " = " + algebra::homology(tri, skeleton, k).str();
+    for (int k = 0; k <= 3; ++k)
+      text += "; H" + std::to_string(k) + " = " + algebra::homology(tri, skeleton, k).str();
   return text;
 }
 
@@ -131,9 +132,9 @@ TEST_CASE("a change tells how classes were renamed", "[moves]") {
     REQUIRE(complex.vertex_count() - old.vertex_count() ==
             static_cast<int>(change.new_vertices.size()) - static_cast<int>(change.merged_vertices.size()) -
                 static_cast<int>(change.removed_vertices.size()));
-    REQUIRE(complex.edge_count() - old.edge_count() ==
-            static_cast<int>(change.new_edges.size()) - static_cast<int>(change.merged_edges.size()) -
-                static_cast<int>(change.removed_edges.size()));
+    REQUIRE(complex.edge_count() - old.edge_count() == static_cast<int>(change.new_edges.size()) -
+                                                           static_cast<int>(change.merged_edges.size()) -
+                                                           static_cast<int>(change.removed_edges.size()));
     std::map<EdgeId, EdgeId> renamed;
     for (const auto& [gone, kept] : change.merged_edges) renamed[gone] = kept;
     for (int t = 0; t < old.slot_count(); ++t) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-/// Our verdicts on moves against Regina 7.3's, at every place of 3,251 triangulations: all connected gluings of
-/// one and two tetrahedra, and random ones of three to eight (tests/oracle/record_collapse.py).
+/// Our verdicts on moves against Regina 7.3's, at every place of 3,251 triangulations: all connected gluings
+/// of one and two tetrahedra, and random ones of three to eight (tests/oracle/record_collapse.py).
 #include "tetrarch/moves/log.hpp"
 
 #include "tetrarch/core/check.hpp"
@@ -114,9 +114,10 @@ TEST_CASE("a move is legal exactly where Regina allows it", "[moves][oracle]") {
       tally.compare(complex, {MoveKind::shell, t}, r.tetrahedra[t] == '1');
     }
   }
-  for (const MoveKind kind : {MoveKind::merge, MoveKind::close_book, MoveKind::two_zero_edge, MoveKind::three_two,
-                              MoveKind::four_four, MoveKind::four_one, MoveKind::two_zero_vertex,
-                              MoveKind::two_three, MoveKind::open_book, MoveKind::shell}) {
+  for (const MoveKind kind :
+       {MoveKind::merge, MoveKind::close_book, MoveKind::two_zero_edge, MoveKind::three_two,
+        MoveKind::four_four, MoveKind::four_one, MoveKind::two_zero_vertex, MoveKind::two_three,
+        MoveKind::open_book, MoveKind::shell}) {
     INFO(Move{kind}.str());
     CHECK(tally.agreed(kind) > 1000);
     CHECK(tally.stricter(kind) == 0);
@@ -125,8 +126,9 @@ TEST_CASE("a move is legal exactly where Regina allows it", "[moves][oracle]") {
   CHECK(tally.count[{MoveKind::merge, true, true}] > 10'000);
   CHECK(two_one.agreed(MoveKind::two_one) > 1000);
   CHECK(two_one.stricter(MoveKind::two_one) + two_one.laxer(MoveKind::two_one) == 0);
-  // Where an edge is reversed we refuse eight 2-1 moves that Regina makes: the two outer edges to be identified
-  // are one edge already, and that the invalid edge then stays what it was is luck that we do not look for.
+  // Where an edge is reversed we refuse eight 2-1 moves that Regina makes: the two outer edges to be
+  // identified are one edge already, and that the invalid edge then stays what it was is luck that we do not
+  // look for.
   CHECK(two_one_invalid.stricter(MoveKind::two_one) == 8);
   CHECK(two_one_invalid.laxer(MoveKind::two_one) == 0);
 }

@@ -27,8 +27,8 @@ bool pair_up(std::map<A, B>& there, std::map<B, A>& back, A a, B b) {
 
 } // namespace detail
 
-/// Empty where all agrees, else a sentence. Counts, classes of vertices and edges, valences, degrees, boundary
-/// flags, reversed edges, kinds of links. O(n log n).
+/// Empty where all agrees, else a sentence. Counts, classes of vertices and edges, valences, degrees,
+/// boundary flags, reversed edges, kinds of links. O(n log n).
 inline std::string disagreement(const moves::Complex& complex) {
   const moves::Complex::Compact compact = complex.compact();
   const Skeleton skeleton(compact.tri);

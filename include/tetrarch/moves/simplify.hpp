@@ -57,15 +57,16 @@ struct Simplification {
 
 /// Both parts. What is left is a local minimum: no single reducing move applies, and the last excursions
 /// found nothing smaller. Smaller triangulations may exist. Finite vertices are removed before tetrahedra are
-/// counted, by pinching where merging fails: one is left only where a component has no other vertex. The complex comes out packed. Deterministic for a seed.
+/// counted, by pinching where merging fails: one is left only where a component has no other vertex. The
+/// complex comes out packed. Deterministic for a seed.
 Simplification simplify(Complex& complex, const SimplifyOptions& options = {}, const Progress& progress = {});
 
 /// The same of a triangulation that stays as it is.
 Triangulation simplified(const Triangulation& tri, const SimplifyOptions& options = {},
                          const Progress& progress = {});
 
-/// `count` random moves that keep the manifold and its vertices: 2-3 on a random face or 4-4 at a random edge,
-/// with equal chances. Attempts that are illegal count.
+/// `count` random moves that keep the manifold and its vertices: 2-3 on a random face or 4-4 at a random
+/// edge, with equal chances. Attempts that are illegal count.
 void shake(Complex& complex, int count, SplitMix64& random, MoveLog* log = nullptr);
 
 } // namespace tetrarch::moves
