@@ -154,6 +154,21 @@ std::tuple<int, int, int> weight(const Complex& complex) {
   return {complex.vertex_count(), complex.size(), complex.boundary_face_count()};
 }
 
+/// Random moves; `made` is told each one that was legal, while its change is the last one.
+template <class Made>
+void shake_and_tell(Complex& complex, int count, SplitMix64& random, Made made) {
+  for (int k = 0; k < count && complex.size() > 0; ++k) {
+    int t = random.below(complex.slot_count());
+    while (!complex.is_alive(t)) t = (t + 1) % complex.slot_count();
+    Move move{MoveKind::two_three, t, random.below(4)};
+    if (random.below(2) == 0) {
+      const auto [a, b] = edge_vertex[random.below(6)];
+      move = {MoveKind::four_four, t, a, b, random.below(2)};
+    }
+    if (!apply(complex, move)) made(move);
+  }
+}
+
 /// Pinches an edge from some finite vertex to another one, if there is such an edge; false if not.
 bool pinch_somewhere(Complex& complex, Mover& mover) {
   for (int t = 0; t < complex.slot_count(); ++t) {
@@ -195,16 +210,9 @@ MoveCounts reduce(Complex& complex, const SimplifyOptions& options, const Progre
 }
 
 void shake(Complex& complex, int count, SplitMix64& random, MoveLog* log) {
-  for (int k = 0; k < count && complex.size() > 0; ++k) {
-    int t = random.below(complex.slot_count());
-    while (!complex.is_alive(t)) t = (t + 1) % complex.slot_count();
-    Move move{MoveKind::two_three, t, random.below(4)};
-    if (random.below(2) == 0) {
-      const auto [a, b] = edge_vertex[random.below(6)];
-      move = {MoveKind::four_four, t, a, b, random.below(2)};
-    }
-    if (!apply(complex, move) && log != nullptr) log->push_back(move);
-  }
+  shake_and_tell(complex, count, random, [log](const Move& move) {
+    if (log != nullptr) log->push_back(move);
+  });
 }
 
 Simplification simplify(Complex& complex, const SimplifyOptions& options, const Progress& progress) {
@@ -222,16 +230,22 @@ Simplification simplify(Complex& complex, const SimplifyOptions& options, const 
   MoveLog excursion;
   SimplifyOptions greed = options;
   greed.log = &excursion;
-  for (int fruitless = 0; complex.size() > 0; ++fruitless) {
+  constexpr int setting_out = 500; // what an excursion costs besides copying, in tetrahedra copied
+  long long work = 0;
+  for (int fruitless = 0; complex.size() > 0 && work < options.most_work; ++fruitless) {
+    work += complex.size() + setting_out;
     const int budget = std::clamp(options.excursions_per_tet * complex.size(), options.least_excursions,
                                   options.most_excursions);
     if (fruitless >= budget) break;
     progress.step("shaking", static_cast<double>(fruitless) / budget);
     Complex trial = complex;
     excursion.clear();
-    shake(trial, 1 + random.below(std::min(2 * trial.size(), 20)), random, &excursion);
+    // All else is at a local minimum: only the neighbourhoods of the random moves are looked at.
     Reducer reducer(trial, greed);
-    reducer.look_at_all();
+    shake_and_tell(trial, 1 + random.below(std::min(2 * trial.size(), 20)), random, [&](const Move& move) {
+      excursion.push_back(move);
+      reducer.look_at_last_change();
+    });
     reducer.run(progress.silent());
     if (weight(trial) > weight(complex)) continue;
     if (weight(trial) < weight(complex)) fruitless = -1;

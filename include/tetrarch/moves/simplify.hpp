@@ -24,10 +24,12 @@ namespace tetrarch::moves {
 struct SimplifyOptions {
   std::uint64_t seed = 1;
   /// Excursions in a row that win nothing, after which the result stands: so many for each tetrahedron left,
-  /// but at least and at most so many in all. One takes about 4 microseconds for each tetrahedron.
+  /// but at least and at most so many in all. One takes some ten microseconds, and copies the complex.
   int excursions_per_tet = 100;
   int least_excursions = 500;
   int most_excursions = 10'000;
+  /// All excursions together may copy about so many tetrahedra: a second or two, where much is left.
+  long long most_work = 50'000'000;
   /// Merge along boundary edges, shell and close books; otherwise the boundary stays as it is.
   bool change_boundary = true;
   /// Every move made is appended.
