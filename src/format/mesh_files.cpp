@@ -131,7 +131,35 @@ Soup read_soup_file(const std::string& path) {
   return read_tetgen({read_file(paths.node), read_file(paths.ele), paths.node, paths.ele});
 }
 
+namespace {
+
+/// Writers trust indices; a soup promises nothing.
+template <class Elements>
+void require_in_range(const Soup& soup, const Elements& elements, const Labels& labels,
+                      const std::string& name) {
+  for (std::size_t k = 0; k < elements.size(); ++k)
+    for (const int index : elements[k])
+      if (index < 0 || static_cast<std::size_t>(index) >= soup.points.size())
+        throw InputError(Place{soup.source, labels.line(static_cast<std::int64_t>(k))},
+                         name + " " +
+                             std::to_string(labels.number(static_cast<std::int64_t>(k), soup.first_number)) +
+                             " names vertex " + std::to_string(point_number(soup, index)) +
+                             ", which is none of the " + std::to_string(soup.points.size()) + " there are");
+}
+
+bool holds_surfaces_only(MeshFormat format) {
+  return format == MeshFormat::obj || format == MeshFormat::off || format == MeshFormat::stl ||
+         format == MeshFormat::ply;
+}
+
+} // namespace
+
 std::string write_soup(const Soup& soup, MeshFormat format) {
+  require_in_range(soup, soup.tetrahedra, soup.tetrahedron_labels, "tetrahedron");
+  require_in_range(soup, soup.triangles, soup.triangle_labels, "triangle");
+  if (holds_surfaces_only(format) && soup.triangles.empty() && !soup.tetrahedra.empty())
+    throw InputError(Place{soup.source, 0},
+                     "there are no triangles, and " + name_of(format) + " holds nothing else");
   switch (format) {
   case MeshFormat::medit:
     return write_medit(soup);

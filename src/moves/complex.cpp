@@ -242,7 +242,11 @@ int Complex::add_tet(const std::array<VertexId, 4>& vertices, const std::array<E
 }
 
 void Complex::remove_tet(int t) {
-  for (int f = 0; f < 4; ++f) unglue({t, f});
+  for (int f = 0; f < 4; ++f) {
+    const int other = gluing({t, f}).tet;
+    if (other >= 0 && other != t) change_.touched_tets.push_back(other);
+    part({t, f});
+  }
   Tet& tet = tets_[index(t)];
   for (int v = 0; v < 4; ++v) --vertices_[index(vertex({t, v}).value)].size;
   for (int e = 0; e < 6; ++e) {
@@ -271,11 +275,17 @@ void Complex::glue(TetFace f, int other, Perm4 p) {
 
 void Complex::unglue(TetFace f) {
   if (is_boundary(f)) return;
+  change_.touched_tets.push_back(f.tet);
+  change_.touched_tets.push_back(partner(f).tet);
+  part(f);
+}
+
+void Complex::part(TetFace f) {
+  if (is_boundary(f)) return;
   const TetFace there = partner(f);
   tets_[index(f.tet)].across[f.face] = -1;
   tets_[index(there.tet)].across[there.face] = -1;
   boundary_faces_ += 2;
-  change_.touched_tets.push_back(there.tet);
 }
 
 VertexId Complex::add_vertex(LinkKind link) {

@@ -27,7 +27,7 @@ struct Flattening {
     EdgeId b;
   };
   /// Most stars have fewer tetrahedra than this; larger ones take the heap.
-  static constexpr int usual = 32;
+  static constexpr std::size_t usual = 32;
   boost::container::small_vector<int, usual> tets; ///< all different
   boost::container::small_vector<FacePair, usual> faces;
   boost::container::small_vector<EdgePair, usual> edges;

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "tetrarch/hyperbolic/search.hpp"
 
+#include "support/enumeration.hpp"
 #include "support/links.hpp"
 #include "support/zoo.hpp"
+#include "tetrarch/core/check.hpp"
 #include "tetrarch/core/error.hpp"
 #include "tetrarch/core/signature.hpp"
 #include "tetrarch/moves/simplify.hpp"
+#include "tetrarch/moves/subdivide.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -84,4 +87,82 @@ TEST_CASE("a search is the same for the same seed", "[hyperbolic]") {
   CHECK(a.triangulation == b.triangulation);
   CHECK(a.attempts == b.attempts);
   CHECK(a.structure.volume == b.structure.volume);
+}
+
+TEST_CASE("boundary without finite vertices and finite vertices without boundary are done away with",
+          "[hyperbolic]") {
+  const Triangulation tri = zoo("knotted Y").triangulation();
+  const double volume = hyperbolize(tri, Skeleton(tri)).volume;
+  // Simplified, the truncated manifold has one vertex, on its real boundary; 1-4 only adds finite vertices.
+  const Triangulation bounded = moves::simplified(moves::finite_model(tri).tri);
+  const Triangulation finite = moves::subdivided_1_4(tri).tri;
+  REQUIRE(Skeleton(bounded).vertex_count() == 1);
+  REQUIRE_FALSE(Skeleton(finite).has_boundary_faces());
+  for (const Triangulation& given : {bounded, finite}) {
+    const Search found = find_structure(given);
+    REQUIRE(found.structure.outcome == Outcome::geometric);
+    CHECK(found.structure.volume == Approx(volume).epsilon(0).margin(1e-11));
+    CHECK(found.changed);
+  }
+}
+
+TEST_CASE("no triangulation is tried twice, and none that has grown too large", "[hyperbolic]") {
+  SearchOptions options;
+  options.attempts = 200;
+  options.most_extra_tets = 0;
+  // With no tetrahedra to spare few triangulations are in reach, by many walks each.
+  const Search found = find_structure(zoo("trefoil complement").triangulation(), options);
+  CHECK(found.attempts < 20);
+  // The last word is about the simplified triangulation.
+  CHECK(found.triangulation.size() <= zoo("trefoil complement").triangulation().size());
+  options.most_extra_tets = 8;
+  const Triangulation tri = zoo("trefoil complement").triangulation();
+  const Search wide = find_structure(tri, options);
+  CHECK(wide.attempts == 200);
+  CHECK(wide.triangulation.size() <= tri.size());
+}
+
+TEST_CASE(
+    "a search says whether the triangulation is the one given, takes Newton's method, and can be stopped",
+    "[hyperbolic]") {
+  const Triangulation tri = zoo("knotted Y").triangulation();
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    moves::Complex complex(tri);
+    SplitMix64 random(seed);
+    moves::shake(complex, 30, random);
+    const Triangulation shaken = complex.triangulation();
+    SearchOptions options;
+    const Search found = find_structure(shaken, options);
+    CHECK(found.changed == !(found.triangulation == shaken));
+    options.solve.method = Method::flow;
+    const Search by_flow = find_structure(shaken, options);
+    CHECK(by_flow.structure.volume == found.structure.volume);
+    CHECK(by_flow.structure.iterations == found.structure.iterations);
+  }
+  std::stop_source stop;
+  stop.request_stop();
+  CHECK_THROWS_AS(find_structure(tri, {}, Progress({}, stop.get_token())), Stopped);
+}
+
+TEST_CASE("a search refuses what is no manifold and stops at a projective plane", "[hyperbolic]") {
+  Triangulation folded(1); // edge 01 is glued to itself backwards
+  folded.glue({0, 2}, 0, Perm4(1, 0, 3, 2));
+  CHECK_THROWS_WITH(find_structure(folded), Catch::Matchers::StartsWith("find_structure: "));
+  int planes = 0;
+  for_each_small_gluing([&](const Triangulation& tri) {
+    const Skeleton skeleton(tri);
+    if (planes > 20 || !skeleton.is_connected() || skeleton.has_boundary_faces() || !is_valid(skeleton))
+      return;
+    bool plane = false;
+    for (const VertexId v : all<VertexId>(skeleton.vertex_count())) {
+      if (skeleton.link(v).is_sphere()) return;
+      plane = plane || skeleton.link(v) == SurfaceType{1, 0, false};
+    }
+    if (!plane) return;
+    ++planes;
+    const Search found = find_structure(tri);
+    REQUIRE(found.structure.outcome == Outcome::projective_plane);
+    REQUIRE(found.attempts == 1);
+  });
+  CHECK(planes > 0);
 }

@@ -10,9 +10,11 @@
 #include "tetrarch/core/check.hpp"
 #include "tetrarch/core/error.hpp"
 #include "tetrarch/moves/log.hpp"
+#include "tetrarch/moves/merge.hpp"
 
 #include <catch2/catch.hpp>
 #include <map>
+#include <tuple>
 
 using namespace tetrarch;
 using namespace tetrarch::moves;
@@ -158,4 +160,81 @@ TEST_CASE("glue refuses what is no free pair of faces", "[moves]") {
   CHECK_THROWS_AS(complex.merge_vertices(VertexId(0), VertexId(0), LinkKind::sphere), PreconditionError);
   CHECK_THROWS_AS(apply(complex, Move{MoveKind::shell, 2}), PreconditionError);
   CHECK_THROWS_AS(apply(complex, Move{MoveKind::merge, 0, 1, 1}), PreconditionError);
+}
+
+TEST_CASE("a change lists every survivor that is glued otherwise than before", "[moves]") {
+  SplitMix64 random(17);
+  Random gluings(17);
+  std::vector<Triangulation> starts{cubical_ball(2, 1, 1), cubical_torus(2, 2, 2)};
+  for (int k = 0; k < 40; ++k) starts.push_back(random_gluing({3, k % 5, k % 3 == 0}, gluings));
+  for (const Triangulation& start : starts) {
+    Complex complex(start);
+    for (int k = 0; k < 1000 && complex.size() > 0; ++k) {
+      const Complex old = complex;
+      Move move{static_cast<MoveKind>(random.below(static_cast<int>(MoveKind::cone))),
+                random.below(complex.slot_count())};
+      std::tie(move.a, move.b) = std::pair{edge_vertex[random.below(6)][0], edge_vertex[random.below(6)][1]};
+      move.n = random.below(2);
+      if (move.a == move.b || !complex.is_alive(move.tet)) continue;
+      if (complex.size() > 30 && move.kind != MoveKind::merge && move.kind != MoveKind::three_two) continue;
+      if (apply(complex, move)) continue;
+      const Change& change = complex.last_change();
+      const auto lists = [](const std::vector<int>& tets, int t) {
+        return std::find(tets.begin(), tets.end(), t) != tets.end();
+      };
+      for (int t = 0; t < old.slot_count(); ++t) {
+        if (!old.is_alive(t) || lists(change.removed_tets, t)) continue;
+        bool same = true;
+        for (int f = 0; f < 4; ++f)
+          same = same && old.gluing({t, f}) == complex.gluing({t, f}) &&
+                 !lists(change.new_tets, old.gluing({t, f}).tet);
+        INFO(move.str() << ", tetrahedron " << t);
+        REQUIRE((same || lists(change.touched_tets, t)));
+      }
+    }
+  }
+}
+
+TEST_CASE("every move of small gluings keeps the classes true, manifold or not", "[moves]") {
+  // Also around reversed edges and at links that are no surfaces of a manifold.
+  int seen = 0;
+  int made = 0;
+  for_each_small_gluing([&](const Triangulation& tri) {
+    if (seen++ % 7 != 0) return;
+    const Complex start(tri);
+    for (const MoveKind kind : {MoveKind::merge, MoveKind::two_one, MoveKind::two_zero_edge,
+                                MoveKind::two_zero_vertex, MoveKind::four_one, MoveKind::close_book})
+      for (int t = 0; t < tri.size(); ++t)
+        for (int a = 0; a < 4; ++a)
+          for (int b = 0; b < 4; ++b) {
+            if (a == b) continue;
+            Complex complex = start;
+            const Move move{kind, t, a, b};
+            if (apply(complex, move)) continue;
+            ++made;
+            if (const auto wrong = disagreement(complex); !wrong.empty())
+              FAIL(move.str() + ": " + wrong + ": " + gluing_text(tri));
+          }
+  });
+  CHECK(made > 1000);
+}
+
+TEST_CASE("what is gone has no name, and a dead tetrahedron moves no more", "[moves]") {
+  Complex complex(zoo("S^3, boundary of a 4-simplex").triangulation());
+  REQUIRE_FALSE(merge(complex, {0, 0, 1}));
+  CHECK_THROWS_AS(apply(complex, {MoveKind::two_three, complex.last_change().removed_tets.front(), 0}),
+                  PreconditionError);
+  // 1-4 makes a vertex, 4-1 takes it away again.
+  int alive = 0;
+  while (!complex.is_alive(alive)) ++alive;
+  REQUIRE_FALSE(apply(complex, {MoveKind::one_four, alive}));
+  const VertexId centre = complex.last_change().new_vertices.front();
+  const int piece = complex.last_change().new_tets.front();
+  CHECK(complex.all_vertices()[centre] == centre);
+  int corner = 0;
+  while (complex.vertex({piece, corner}) != centre) ++corner;
+  REQUIRE_FALSE(apply(complex, {MoveKind::four_one, piece, corner}));
+  CHECK(complex.all_vertices()[centre] == VertexId());
+  complex.pack();
+  CHECK(complex.last_change().new_tets.empty());
 }

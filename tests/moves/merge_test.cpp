@@ -192,3 +192,29 @@ TEST_CASE("every legal merge of small gluings keeps the manifold", "[moves][slow
   });
   CHECK(merged > 1000);
 }
+
+TEST_CASE("a tetrahedron that meets both ends of a merge is deleted, or in none of its sets", "[moves]") {
+  // In a 3-torus two cubes long an edge from a vertex to the next one has a twin the other way round; what
+  // lies around the twin meets both v1 and v2 and is neither a host nor deformed.
+  int twins = 0;
+  for (const Triangulation& tri : {cubical_torus(2, 4, 4), cubical_torus(2, 1, 1)}) {
+    const Complex complex(tri);
+    for (const auto& [from, to] : edge_vertex) {
+      const MergeSets sets = merge_sets(complex, {0, from, to});
+      const auto has = [](const std::vector<int>& set, int t) {
+        return std::count(set.begin(), set.end(), t) > 0;
+      };
+      for (int t = 0; t < complex.slot_count(); ++t) {
+        std::set<VertexId> corners;
+        for (int v = 0; v < 4; ++v) corners.insert(complex.vertex({t, v}));
+        const bool both =
+            corners.count(complex.vertex({0, from})) + corners.count(complex.vertex({0, to})) == 2;
+        if (!both || has(sets.deleted, t)) continue;
+        ++twins;
+        for (const auto* set : {&sets.hosting, &sets.deformed_at_faces, &sets.deformed_at_vertices})
+          REQUIRE_FALSE(has(*set, t));
+      }
+    }
+  }
+  CHECK(twins > 0);
+}

@@ -124,3 +124,20 @@ TEST_CASE("an audit is asked after every so many moves, and a stop is heard", "[
   Complex large(cubical_ball(12, 12, 12));
   CHECK_THROWS_AS(simplify(large, {}, Progress({}, stop.get_token())), Stopped);
 }
+
+TEST_CASE("where the greedy part ends no single move makes it smaller", "[moves]") {
+  // The law that lets an excursion look only at what its moves touched.
+  std::vector<Triangulation> starts{cubical_ball(3, 3, 3), cubical_torus(4, 4, 4)};
+  for (const char* name : {"trefoil", "5_2", "Hopf link"})
+    starts.push_back(triangulation_of(exterior(named_link(name).grid)));
+  for (const Triangulation& start : starts)
+    for (const bool change_boundary : {false, true}) {
+      SimplifyOptions options;
+      options.change_boundary = change_boundary;
+      Complex complex(start);
+      (void)reduce(complex, options);
+      const int size = complex.size();
+      CHECK(reduce(complex, options).total() == 0);
+      CHECK(complex.size() == size);
+    }
+}

@@ -3,11 +3,11 @@
 
 /// Random gluings and relabellings from a seed, and cubical balls and 3-tori of any size.
 ///
-/// The generator and every choice made with it are written out here, because the distributions of <random>
-/// differ between standard libraries: the same seed gives the same triangulation everywhere.
+/// The same seed gives the same triangulation everywhere.
 
 #include "support/enumeration.hpp"
 #include "tetrarch/core/isomorphism.hpp"
+#include "tetrarch/core/random.hpp"
 
 #include <array>
 #include <cstdint>
@@ -17,30 +17,16 @@
 
 namespace tetrarch::support {
 
-/// SplitMix64 (Steele, Lea and Flood, "Fast splittable pseudorandom number generators", 2014).
-class Random {
+class Random : public SplitMix64 {
 public:
-  explicit Random(std::uint64_t seed) : state_(seed) {}
+  using SplitMix64::SplitMix64;
 
-  std::uint64_t next() {
-    std::uint64_t z = state_ += 0x9e3779b97f4a7c15U;
-    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9U;
-    z = (z ^ (z >> 27)) * 0x94d049bb133111ebU;
-    return z ^ (z >> 31);
-  }
-  /// 0 .. bound-1; the bias is below bound / 2^32.
-  int below(int bound) {
-    return static_cast<int>(((next() >> 32) * static_cast<std::uint64_t>(bound)) >> 32);
-  }
   Perm4 perm() { return Perm4::from_rank(below(Perm4::count)); }
 
   template <class T>
   void shuffle(std::vector<T>& items) {
     for (int k = static_cast<int>(items.size()) - 1; k > 0; --k) std::swap(items[k], items[below(k + 1)]);
   }
-
-private:
-  std::uint64_t state_;
 };
 
 struct RandomGluing {

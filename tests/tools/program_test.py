@@ -330,6 +330,23 @@ class Meshes(unittest.TestCase):
                 before = path
             self.assertEqual(run_json("truncate", before)[1]["signature"], "cPcbbbihq")
 
+    def test_what_would_be_lost_is_refused(self):
+        with tempfile.TemporaryDirectory() as folder:
+            for arguments, word in ((["convert", KNOTTED_Y, "-o", "y.stl"], "no triangles"),
+                                    (["truncate", KNOTTED_Y, "-o", "y.json", "--moves", "./y.json"], "two results"),
+                                    (["truncate", KNOTTED_Y, "--moves", "none/y.txt"], "no such folder"),
+                                    (["hyperbolize", "cPcbbbihq", "-o", "y.tri"], "only JSON"),
+                                    (["convert", "cPcbbbihq", "-o", "y.mesh"], "coordinates")):
+                done = run(*arguments, cwd=folder)
+                self.assertEqual((done.returncode, done.stdout, done.stderr.count("\n")), (2, "", 1), arguments)
+                self.assertIn(word, done.stderr)
+            with open(os.path.join(folder, "far.off"), "w", encoding="ascii") as file:
+                file.write("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 99\n")
+            done = run("convert", "far.off", "-o", "far.stl", cwd=folder)
+            self.assertEqual(done.returncode, 2)
+            self.assertIn("far.off:6: triangle", done.stderr)
+            self.assertEqual(os.listdir(folder), ["far.off"])
+
     def test_a_mesh_cut_anywhere_is_refused_or_whole(self):
         text = medit(*cubes(1)).replace("\nEnd\n", "")
         for end in range(0, len(text) - 2, 7):

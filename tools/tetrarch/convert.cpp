@@ -8,6 +8,7 @@
 #include "tetrarch/format/read.hpp"
 
 #include <CLI/CLI.hpp>
+#include <filesystem>
 #include <map>
 #include <memory>
 
@@ -28,6 +29,11 @@ format::FileFormat target(const Options& options) {
 
 /// From mesh to mesh, without asking whether it is good for anything: `check` does.
 Result convert_mesh(const Options& options, format::MeshFormat to) {
+  std::error_code ignored;
+  if (options.input != "-" && !std::filesystem::exists(options.input, ignored))
+    throw InputError({options.input, 0},
+                     "no such file (expected a mesh: other triangulations have no coordinates)");
+  require_folder(options.output);
   const format::Soup soup = format::read_soup_file(options.input);
   Result result;
   result.warnings = soup.warnings;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "command.hpp"
 #include "input.hpp"
+#include "output.hpp"
 #include "text.hpp"
 
 #include "tetrarch/core/error.hpp"
@@ -137,6 +138,9 @@ Json report_json(const hyperbolic::Search& search, const Skeleton& skeleton) {
 }
 
 Result hyperbolize(const Options& options, const Context& context) {
+  require_folder(options.history);
+  if (!options.output.empty() && output_format(options.output) != format::FileFormat::json)
+    throw InputError({options.output, 0}, "only JSON holds a metric (expected the extension .json)");
   format::Document document = read_triangulation(options.input, {false, context.progress});
   require_manifold(document.triangulation, options.input);
   const hyperbolic::Search search = solve(document.triangulation, options, context);

@@ -67,7 +67,11 @@ format::Document read_triangulation(const std::string& argument, const ReadOptio
     throw InputError("no census manifold is called " + in_quotes(argument) +
                      " (expected fmp2_1 ... fmp2_8 or fmp3_1 ... fmp3_151)");
   }
-  if (looks_like_signature(argument)) return format::document_of(from_signature(argument));
+  try {
+    if (looks_like_signature(argument)) return format::document_of(from_signature(argument));
+  } catch (const InputError& e) {
+    throw InputError(in_quotes(argument) + " is no file and no census name; as a signature: " + e.what());
+  }
   throw InputError(in_quotes(argument) +
                    " is no file, and neither a census name nor an isomorphism signature");
 }

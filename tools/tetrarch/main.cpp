@@ -9,8 +9,10 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <csignal>
+#include <filesystem>
 #include <iostream>
 #include <optional>
+#include <set>
 #include <thread>
 
 namespace {
@@ -74,7 +76,16 @@ private:
   std::stop_source source_;
 };
 
+/// One file cannot hold two results.
+void require_different(const std::vector<Result::File>& files) {
+  std::set<std::filesystem::path> paths;
+  for (const Result::File& file : files)
+    if (!paths.insert(std::filesystem::weakly_canonical(std::filesystem::absolute(file.path))).second)
+      throw InputError({file.path, 0}, "two results are to be written to this file; nothing was");
+}
+
 void deliver(const Result& result, const Common& common) {
+  require_different(result.files);
   for (const Result::File& file : result.files) format::write_file_atomically(file.path, file.content);
   if (!common.quiet)
     for (const std::string& warning : result.warnings) std::cerr << "tetrarch: warning: " << warning << '\n';

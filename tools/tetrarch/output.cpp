@@ -3,9 +3,19 @@
 
 #include "tetrarch/core/error.hpp"
 
+#include <filesystem>
+
 namespace tetrarch::program {
 
+void require_folder(const std::string& path) {
+  const std::filesystem::path folder = std::filesystem::path(path).parent_path();
+  std::error_code ignored;
+  if (!folder.empty() && !std::filesystem::is_directory(folder, ignored))
+    throw InputError({path, 0}, "there is no such folder");
+}
+
 format::FileFormat output_format(const std::string& path) {
+  require_folder(path);
   if (const auto format = format::format_for_extension(path)) return *format;
   throw InputError({path, 0},
                    "no triangulation format has this extension (expected .json, .tri, .sig, .txt or .fmp)");

@@ -12,8 +12,12 @@
 
 namespace tetrarch::program {
 
-/// The format that the extension of an output file names. Throws InputError that lists what is known; asked
-/// before a long job rather than after it.
+/// Throws InputError if the folder that a file is to stand in does not exist. Asked before a long job rather
+/// than after it.
+void require_folder(const std::string& path);
+
+/// The format that the extension of an output file names. Throws InputError that lists what is known, or as
+/// above.
 format::FileFormat output_format(const std::string& path);
 
 /// Adds the file to the result, and what its reader will miss to the warnings.

@@ -73,6 +73,7 @@ std::function<void(const moves::Complex&)> auditor(const Triangulation& input) {
 
 Job prepare(const Options& options, const Context& context) {
   if (!options.output.empty()) output_format(options.output);
+  require_folder(options.log);
   Job run{read_triangulation(options.input, {options.repair, context.progress}), {}, {}};
   require_manifold(run.input.triangulation, options.input);
   run.simplify.seed = context.seed;

@@ -47,7 +47,8 @@ Soup read_soup(std::string_view text, const std::string& source);
 /// found beside it.
 Soup read_soup_file(const std::string& path);
 
-/// Formats for a surface get the triangles alone. Throws InputError for TetGen's format, which is two texts.
+/// Formats for a surface get the triangles alone. Throws InputError where an index is out of range, where a
+/// format for surfaces would be left empty, and for TetGen's format, which is two texts.
 /// O(size).
 std::string write_soup(const Soup& soup, MeshFormat format);
 /// Writes to `path`, and with it to the other one of TetGen's two files, by the extension of `path`. Each

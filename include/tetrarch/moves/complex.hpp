@@ -47,7 +47,8 @@ struct Change {
   std::vector<EdgeId> removed_edges;
   std::vector<VertexId> new_vertices;
   std::vector<EdgeId> new_edges;
-  /// Survivors with a face glued otherwise than before.
+  /// Survivors with a face glued otherwise than before, some of them twice; a tetrahedron removed later in
+  /// the same move may be among them.
   std::vector<int> touched_tets;
 
   void clear();
@@ -186,6 +187,7 @@ private:
   template <class Classes>
   static std::pair<int, int> link_roots(Classes& classes, int a, int b);
 
+  void part(TetFace f);
   void find_vertices();
   void find_edges();
   void label_edge(TetEdge first);
