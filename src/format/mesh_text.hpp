@@ -54,4 +54,13 @@ void append_line(std::string& out, const std::array<int, corners>& element, std:
   out += end;
 }
 
+/// Points, then triangles with their number of corners before them, as OFF and PLY have it.
+inline void append_surface(std::string& out, const Soup& soup) {
+  for (const auto& p : soup.points) append_line(out, p, "\n");
+  for (const auto& corners : soup.triangles) {
+    out += "3 ";
+    append_line(out, corners, "\n", 0);
+  }
+}
+
 } // namespace tetrarch::format

@@ -35,11 +35,7 @@ Soup read_off(std::string_view text, const std::string& source) {
 std::string write_off(const Soup& soup) {
   std::string out =
       "OFF\n" + std::to_string(soup.points.size()) + " " + std::to_string(soup.triangles.size()) + " 0\n";
-  for (const auto& p : soup.points) append_line(out, p, "\n");
-  for (const auto& corners : soup.triangles) {
-    out += "3 ";
-    append_line(out, corners, "\n", 0);
-  }
+  append_surface(out, soup);
   return out;
 }
 

@@ -179,11 +179,7 @@ std::string write_ply(const Soup& soup) {
                     "\nproperty double x\nproperty double y\nproperty double z\nelement face " +
                     std::to_string(soup.triangles.size()) +
                     "\nproperty list uchar int vertex_indices\nend_header\n";
-  for (const auto& p : soup.points) append_line(out, p, "\n");
-  for (const auto& corners : soup.triangles) {
-    out += "3 ";
-    append_line(out, corners, "\n", 0);
-  }
+  append_surface(out, soup);
   return out;
 }
 

@@ -5,7 +5,6 @@
 #include "gluing.hpp"
 
 #include "tetrarch/core/error.hpp"
-#include "tetrarch/mesh/validate.hpp"
 
 namespace tetrarch::mesh {
 namespace {
@@ -19,6 +18,10 @@ bool keeps_from_meshing(Kind kind) {
 
 TetMesh build(format::Soup soup) {
   const Report report = validate(soup, 1);
+  return build(std::move(soup), report);
+}
+
+TetMesh build(format::Soup soup, const Report& report) {
   const Finding* first = nullptr;
   std::int64_t count = 0;
   for (const Finding& finding : report.findings) {

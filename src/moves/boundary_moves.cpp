@@ -87,12 +87,8 @@ MaybeObstacle plan_close(const Complex& complex, DirectedTetEdge e, Book& book) 
   const VertexId two = complex.vertex({left.tet, left.hold[2]});
   if (one == two) return Obstacle::same_ends;
   if (complex.link(one) != LinkKind::disk || complex.link(two) != LinkKind::disk) return Obstacle::bad_vertex;
-  for (const TetFace f : {book.first, book.second})
-    for (const int v : face_vertex[f.face]) {
-      const TetFace next = boundary_beside(complex, f, v).face;
-      if (next != book.first && next != book.second) return std::nullopt;
-    }
-  return Obstacle::small_boundary_component;
+  if (are_whole_component(complex, book.first, book.second)) return Obstacle::small_boundary_component;
+  return std::nullopt;
 }
 
 /// The free faces of a tetrahedron, as a list.
@@ -180,7 +176,6 @@ MaybeObstacle why_not_shell(const Complex& complex, int tet) {
     std::set<EdgeId> spokes;
     for (const int v : face_vertex[apex]) {
       const EdgeId spoke = complex.edge(DirectedTetEdge{tet, apex, v});
-      if (complex.is_boundary(spoke)) return Obstacle::boundary_face;
       if (complex.is_reversed(spoke)) return Obstacle::reversed_edge;
       spokes.insert(spoke);
     }

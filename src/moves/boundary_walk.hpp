@@ -28,4 +28,15 @@ inline Beside boundary_beside(const Complex& complex, TetFace f, int opposite) {
   return {w.left_face(), w.hold * Perm4::swap(2, 3) * start.hold.inverse()};
 }
 
+/// Whether two neighbouring boundary triangles make up their whole component, a sphere if all is well.
+/// O(valence).
+inline bool are_whole_component(const Complex& complex, TetFace first, TetFace second) {
+  for (const TetFace f : {first, second})
+    for (const int v : face_vertex[f.face]) {
+      const TetFace next = boundary_beside(complex, f, v).face;
+      if (next != first && next != second) return false;
+    }
+  return true;
+}
+
 } // namespace tetrarch::moves

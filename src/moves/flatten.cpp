@@ -106,19 +106,29 @@ bool edges_form_cycle(const Complex& complex, const Flattening& flat) {
   return false;
 }
 
-/// Every face has two sides at most, so the graph is made of paths and circles.
-bool faces_form_cycle(const Complex& complex, const Flattening& flat) {
+/// Calls `told(i, forth, back)` with the two ends of every chain, pair i being one of it, until `told`
+/// returns false. Every face has two sides at most, so the pairs lie on paths and circles; of a circle `back`
+/// is empty.
+template <class Told>
+void for_each_chain(const Complex& complex, const Flattening& flat, Told told) {
   const Chains chains(complex, flat);
   Small<char> seen(flat.faces.size(), 0);
   const auto visit = [&seen](int i) { seen[static_cast<std::size_t>(i)] = 1; };
   for (int i = 0; i < static_cast<int>(flat.faces.size()); ++i) {
     if (seen[static_cast<std::size_t>(i)] != 0) continue;
-    const auto forth = chains.follow(flat.faces[i].b, i, visit);
-    if (forth.closed) return true;
-    const auto back = chains.follow(flat.faces[i].a, i, visit);
-    if (forth.face.tet < 0 && back.face.tet < 0) return true;
+    const Chains::End forth = chains.follow(flat.faces[i].b, i, visit);
+    const Chains::End back = forth.closed ? Chains::End() : chains.follow(flat.faces[i].a, i, visit);
+    if (!told(i, forth, back)) return;
   }
-  return false;
+}
+
+bool faces_form_cycle(const Complex& complex, const Flattening& flat) {
+  bool cycle = false;
+  for_each_chain(complex, flat, [&cycle](int, const Chains::End& forth, const Chains::End& back) {
+    cycle = forth.closed || (forth.face.tet < 0 && back.face.tet < 0);
+    return !cycle;
+  });
+  return cycle;
 }
 
 } // namespace
@@ -136,18 +146,11 @@ void flatten(Complex& complex, const Flattening& flat) {
     Perm4 map;
   };
   Small<Seam> seams;
-  {
-    const Chains chains(complex, flat);
-    Small<char> seen(flat.faces.size(), 0);
-    const auto visit = [&seen](int i) { seen[static_cast<std::size_t>(i)] = 1; };
-    for (int i = 0; i < static_cast<int>(flat.faces.size()); ++i) {
-      if (seen[static_cast<std::size_t>(i)] != 0) continue;
-      const auto forth = chains.follow(flat.faces[i].b, i, visit);
-      const auto back = chains.follow(flat.faces[i].a, i, visit);
-      if (forth.face.tet < 0 || back.face.tet < 0) continue;
+  for_each_chain(complex, flat, [&](int i, const Chains::End& forth, const Chains::End& back) {
+    if (forth.face.tet >= 0 && back.face.tet >= 0)
       seams.push_back({back.face, forth.face.tet, forth.map * flat.faces[i].map * back.map.inverse()});
-    }
-  }
+    return true;
+  });
   for (const int t : flat.tets) complex.remove_tet(t);
   for (const Seam& seam : seams) complex.glue(seam.face, seam.other, seam.map);
   for (const auto& [a, b] : flat.edges) complex.merge_edges(a, b);

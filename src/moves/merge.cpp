@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "tetrarch/moves/merge.hpp"
 
+#include "boundary_walk.hpp"
 #include "flatten.hpp"
 
 #include <algorithm>
@@ -31,28 +32,9 @@ bool contains_twice(const Complex& complex, const Ring& ring) {
   return twice;
 }
 
-/// Whether the boundary sphere at a boundary edge consists of the two triangles there.
-bool two_triangles(const Complex& complex, const Ring& ring) {
-  const TetFace first = ring.front().right_face();
-  const TetFace last = ring.back().left_face();
-  const auto other_side = [&complex](TetFace f, int opposite) {
-    // The boundary triangle across the side of f that lies opposite `opposite`.
-    Walk w{f.tet, Perm4()};
-    std::array<int, 2> ends{};
-    int k = 0;
-    for (const int v : face_vertex[f.face])
-      if (v != opposite) ends[k++] = v;
-    w.hold = Perm4(ends[0], ends[1], f.face, opposite);
-    while (w.step_left(complex)) {
-    }
-    return w.left_face();
-  };
-  for (const TetFace f : {first, last})
-    for (const int v : face_vertex[f.face]) {
-      const TetFace next = other_side(f, v);
-      if (next != first && next != last) return false;
-    }
-  return true;
+/// The kind of a vertex into which two are merged of which one is a sphere, or both are disks.
+LinkKind merged_link(const Complex& complex, VertexId a, VertexId b) {
+  return complex.link(a) == LinkKind::sphere ? complex.link(b) : complex.link(a);
 }
 
 /// Everything about a merge that is decided before it is made.
@@ -63,7 +45,8 @@ MaybeObstacle plan_merge(const Complex& complex, DirectedTetEdge e, Flattening& 
   if (const auto obstacle = why_not_ends(complex, e, on_boundary)) return obstacle;
   const Ring ring = complex.around(e);
   if (contains_twice(complex, ring)) return Obstacle::repeated_tetrahedron;
-  if (on_boundary && two_triangles(complex, ring)) return Obstacle::small_boundary_component;
+  if (on_boundary && are_whole_component(complex, ring.front().right_face(), ring.back().left_face()))
+    return Obstacle::small_boundary_component;
   for (const Walk& w : ring) {
     const auto [from, to, left, right] = std::array{w.hold[0], w.hold[1], w.hold[2], w.hold[3]};
     (void)left;
@@ -98,7 +81,7 @@ MaybeObstacle merge(Complex& complex, DirectedTetEdge e) {
   const EdgeId edge = complex.edge(e);
   const VertexId from = complex.vertex({e.tet, e.from});
   const VertexId to = complex.vertex({e.tet, e.to});
-  const LinkKind link = complex.link(from) == LinkKind::sphere ? complex.link(to) : complex.link(from);
+  const LinkKind link = merged_link(complex, from, to);
   complex.begin_change();
   flatten(complex, flat);
   complex.remove_edge(edge);
@@ -125,7 +108,7 @@ MaybeObstacle pinch(Complex& complex, DirectedTetEdge e) {
   const auto [from, to, third, off] = std::array{near.hold[0], near.hold[1], near.hold[2], near.hold[3]};
   const VertexId v1 = complex.vertex({e.tet, from});
   const VertexId v2 = complex.vertex({e.tet, to});
-  const LinkKind link = complex.link(v1) == LinkKind::sphere ? complex.link(v2) : complex.link(v1);
+  const LinkKind link = merged_link(complex, v1, v2);
   const VertexId x = complex.vertex({e.tet, third});
   const EdgeId pinched = complex.edge(e);
   const EdgeId a = complex.edge(DirectedTetEdge{e.tet, from, third});

@@ -3,6 +3,7 @@
 
 /// What the tests of this room share: the message of an error, the fixtures, a directory of one's own.
 
+#include "support/errors.hpp"
 #include "tetrarch/core/error.hpp"
 #include "tetrarch/format/text.hpp"
 
@@ -16,16 +17,7 @@
 
 namespace tetrarch::format::test {
 
-/// The message of the InputError that `job` throws; empty if it throws none.
-template <class Job>
-std::string error_of(Job job) {
-  try {
-    job();
-    return {};
-  } catch (const InputError& error) {
-    return error.what();
-  }
-}
+using support::error_of;
 
 inline std::string data(const std::string& name) {
   return std::string(TETRARCH_SOURCE_DIR) + "/tests/data/format/" + name;

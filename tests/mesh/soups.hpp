@@ -3,6 +3,7 @@
 
 /// Small soups for the tests of this room.
 
+#include "support/errors.hpp"
 #include "tetrarch/core/error.hpp"
 #include "tetrarch/format/medit.hpp"
 #include "tetrarch/format/soup.hpp"
@@ -38,14 +39,6 @@ inline std::vector<std::array<int, 3>> cube_surface() {
           {2, 3, 7}, {2, 7, 6}, {0, 2, 6}, {0, 6, 4}, {1, 5, 7}, {1, 7, 3}};
 }
 
-template <class Job>
-std::string error_of(Job job) {
-  try {
-    job();
-    return {};
-  } catch (const InputError& error) {
-    return error.what();
-  }
-}
+using support::error_of;
 
 } // namespace tetrarch::mesh::test

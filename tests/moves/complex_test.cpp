@@ -3,10 +3,10 @@
 
 #include "support/audit.hpp"
 #include "support/enumeration.hpp"
+#include "support/homology.hpp"
 #include "support/laws.hpp"
 #include "support/random.hpp"
 #include "support/zoo.hpp"
-#include "tetrarch/algebra/homology.hpp"
 #include "tetrarch/core/check.hpp"
 #include "tetrarch/core/error.hpp"
 #include "tetrarch/moves/log.hpp"
@@ -21,16 +21,6 @@ using namespace tetrarch::moves;
 using namespace tetrarch::support;
 
 namespace {
-
-/// What no move may change, as text.
-std::string invariants(const Triangulation& tri) {
-  const Skeleton skeleton(tri);
-  std::string text = topology_text(tri);
-  if (is_valid(skeleton))
-    for (int k = 0; k <= 3; ++k)
-      text += "; H" + std::to_string(k) + " = " + algebra::homology(tri, skeleton, k).str();
-  return text;
-}
 
 Move random_move(const Complex& complex, Random& random) {
   int t = random.below(complex.slot_count());
@@ -73,7 +63,7 @@ TEST_CASE("random walks of all moves keep the manifold, and the classes true", "
   for (int k = 0; k < 40; ++k) starts.push_back(random_gluing({3, k % 5, k % 3 == 0}, random));
   for (const Triangulation& start : starts) {
     Complex complex(start);
-    const std::string before = invariants(start);
+    const std::string before = topology_and_homology(start);
     for (int k = 0; k < 800; ++k) {
       const Move move = random_move(complex, random);
       const bool grows = move.kind == MoveKind::one_four || move.kind == MoveKind::zero_two_face ||
@@ -90,9 +80,9 @@ TEST_CASE("random walks of all moves keep the manifold, and the classes true", "
       }
       ++made[move.kind];
       REQUIRE(disagreement(complex) == "");
-      if (k % 3 == 0) REQUIRE(invariants(complex.triangulation()) == before);
+      if (k % 3 == 0) REQUIRE(topology_and_homology(complex.triangulation()) == before);
     }
-    REQUIRE(invariants(complex.triangulation()) == before);
+    REQUIRE(topology_and_homology(complex.triangulation()) == before);
     complex.pack();
     CHECK(disagreement(complex) == "");
     CHECK(complex.slot_count() == complex.size());

@@ -4,10 +4,10 @@
 #include "tetrarch/moves/merge.hpp"
 
 #include "support/enumeration.hpp"
+#include "support/homology.hpp"
 #include "support/laws.hpp"
 #include "support/random.hpp"
 #include "support/zoo.hpp"
-#include "tetrarch/algebra/homology.hpp"
 #include "tetrarch/core/check.hpp"
 
 #include <catch2/catch.hpp>
@@ -53,13 +53,7 @@ std::optional<Triangulation> merged_blindly(const Triangulation& tri, DirectedTe
 
 /// Topology and homology as text; "nothing left" for no triangulation.
 std::string what_is(const std::optional<Triangulation>& tri) {
-  if (!tri) return "nothing left";
-  const Skeleton skeleton(*tri);
-  std::string text = topology_text(*tri);
-  if (is_valid(skeleton))
-    for (int k = 0; k <= 2; ++k)
-      text += ", H" + std::to_string(k) + " = " + algebra::homology(*tri, skeleton, k).str();
-  return text;
+  return tri ? topology_and_homology(*tri) : "nothing left";
 }
 
 struct Found {

@@ -2,6 +2,7 @@
 #include "tetrarch/moves/subdivide.hpp"
 
 #include "support/enumeration.hpp"
+#include "support/homology.hpp"
 #include "support/laws.hpp"
 #include "support/random.hpp"
 #include "support/zoo.hpp"
@@ -18,18 +19,6 @@ using namespace tetrarch::moves;
 using namespace tetrarch::support;
 
 namespace {
-
-std::string homology_text(const Triangulation& tri) {
-  const Skeleton skeleton(tri);
-  std::string text;
-  for (int k = 0; is_valid(skeleton) && k <= 3; ++k)
-    text += "H" + std::to_string(k) + " = " + algebra::homology(tri, skeleton, k).str() + "; ";
-  return text;
-}
-
-std::string topology_and_homology(const Triangulation& tri) {
-  return topology_text(tri) + "; " + homology_text(tri);
-}
 
 /// Validity, orientability, number of components and the types of the boundary, whether real or ideal.
 std::string topology_made_real(const Triangulation& tri) {

@@ -27,37 +27,10 @@ import random
 
 import regina
 
-PERMS = [regina.Perm4(*p) for p in itertools.permutations(range(4))]
+from record_core import PERMS, all_gluings, build
+
 PAIRS = list(itertools.combinations(range(4), 2))
 KIND_QUOTA = 420
-
-
-def all_gluings(n):
-    """Every labelled gluing of n tetrahedra as a list of (t, f, u, perm)."""
-    def decide(at, used, joins):
-        if at == 4 * n:
-            yield list(joins)
-            return
-        yield from decide(at + 1, used, joins)
-        if at in used:
-            return
-        for other in range(at + 1, 4 * n):
-            if other in used:
-                continue
-            for p in PERMS:
-                if p[at % 4] == other % 4:
-                    joins.append((at // 4, at % 4, other // 4, p))
-                    yield from decide(at + 1, used | {at, other}, joins)
-                    joins.pop()
-    yield from decide(0, frozenset(), [])
-
-
-def build(n, joins):
-    tri = regina.Triangulation3()
-    tets = [tri.newTetrahedron() for _ in range(n)]
-    for t, f, u, p in joins:
-        tets[t].join(f, tets[u], p)
-    return tri
 
 
 def edge_digit(tri, edge):

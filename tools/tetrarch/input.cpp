@@ -10,7 +10,6 @@
 #include "tetrarch/mesh/fill.hpp"
 #include "tetrarch/mesh/repair.hpp"
 #include "tetrarch/mesh/tet_mesh.hpp"
-#include "tetrarch/mesh/validate.hpp"
 
 #include <filesystem>
 
@@ -18,8 +17,7 @@ namespace tetrarch::program {
 namespace {
 
 /// What a valid mesh is better known to have, as sentences.
-void add_remarks(const format::Soup& soup, std::vector<std::string>& warnings) {
-  const mesh::Report report = mesh::validate(soup, 1);
+void add_remarks(const format::Soup& soup, const mesh::Report& report, std::vector<std::string>& warnings) {
   for (const mesh::Finding& f : report.findings) {
     if (mesh::severity_of(f.kind) == mesh::Severity::fatal) continue;
     const std::int64_t others = report.count(f.kind) - 1;
@@ -40,8 +38,10 @@ format::Document triangulation_of(format::Soup soup, const ReadOptions& options)
     soup = std::move(repaired.soup);
     warnings.insert(warnings.end(), repaired.done.begin(), repaired.done.end());
   }
-  add_remarks(soup, warnings);
-  format::Document document = format::document_of(mesh::triangulation_of(mesh::build(std::move(soup))));
+  const mesh::Report report = mesh::validate(soup, 1);
+  add_remarks(soup, report, warnings);
+  format::Document document =
+      format::document_of(mesh::triangulation_of(mesh::build(std::move(soup), report)));
   document.warnings = std::move(warnings);
   return document;
 }

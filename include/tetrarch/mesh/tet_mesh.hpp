@@ -14,6 +14,7 @@
 
 #include "tetrarch/core/triangulation.hpp"
 #include "tetrarch/format/soup.hpp"
+#include "tetrarch/mesh/validate.hpp"
 
 #include <array>
 #include <vector>
@@ -29,6 +30,8 @@ struct TetMesh {
 /// `validate` and the number of the others. O(n log n) for n tetrahedra in the worst case, in practice
 /// linear.
 TetMesh build(format::Soup soup);
+/// The same with what `validate(soup, n)` said for some n >= 1, for those who want the report too.
+TetMesh build(format::Soup soup, const Report& report);
 
 /// Tetrahedron t of the mesh is tetrahedron t, its v-th point is vertex v; faces on the same three points are
 /// glued. Boundary faces are those of one tetrahedron alone. Linear but for the sorting of the faces around
