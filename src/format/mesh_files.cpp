@@ -35,13 +35,6 @@ constexpr std::array<Row, 10> rows{{{MeshFormat::medit, "medit", ".mesh"},
                                     {MeshFormat::stl, "stl", ".stl"},
                                     {MeshFormat::ply, "ply", ".ply"}}};
 
-bool ends_with(std::string_view text, std::string_view extension) {
-  if (text.size() < extension.size()) return false;
-  const std::string_view tail = text.substr(text.size() - extension.size());
-  return std::equal(tail.begin(), tail.end(), extension.begin(),
-                    [](char a, char b) { return (a >= 'A' && a <= 'Z' ? a - 'A' + 'a' : a) == b; });
-}
-
 bool is_one_of(std::string_view word, std::initializer_list<std::string_view> words) {
   return std::find(words.begin(), words.end(), word) != words.end();
 }
@@ -71,7 +64,7 @@ struct TetgenPaths {
 };
 TetgenPaths tetgen_paths(const std::string& path) {
   const std::string stem = path.substr(0, path.rfind('.'));
-  if (ends_with(path, ".ele")) return {stem + ".node", path};
+  if (has_extension(path, ".ele")) return {stem + ".node", path};
   return {path, stem + ".ele"};
 }
 
@@ -85,7 +78,7 @@ std::string name_of(MeshFormat format) {
 
 std::optional<MeshFormat> mesh_format_for_extension(std::string_view path) {
   for (const Row& row : rows)
-    if (ends_with(path, row.extension)) return row.format;
+    if (has_extension(path, row.extension)) return row.format;
   return std::nullopt;
 }
 

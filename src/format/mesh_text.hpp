@@ -6,7 +6,6 @@
 #include "mesh_cursor.hpp"
 
 #include <array>
-#include <charconv>
 #include <string>
 #include <string_view>
 
@@ -25,13 +24,6 @@ std::array<int, corners> read_corners(MeshCursor& in, int first_number) {
     corner = static_cast<int>(in.integer("the number of a vertex", 1 - most_elements, most_elements) -
                               first_number);
   return out;
-}
-
-template <class T>
-void append_number(std::string& out, T value) {
-  std::array<char, 32> buffer{};
-  const auto result = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
-  out.append(buffer.data(), result.ptr);
 }
 
 /// A point's coordinates with spaces between them, then `end`.

@@ -10,6 +10,8 @@
 
 #include "tetrarch/core/error.hpp"
 
+#include <array>
+#include <charconv>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -78,6 +80,16 @@ std::optional<double> parse_double(std::string_view text);
 
 /// The shortest text that reads back as exactly `value`: "0.1", "1e+22", "-0", "inf".
 std::string to_text(double value);
+/// The same of any number, at the end of `out`.
+template <class T>
+void append_number(std::string& out, T value) {
+  std::array<char, 32> buffer{};
+  const auto result = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
+  out.append(buffer.data(), result.ptr);
+}
+
+/// Whether `path` ends with `extension` (in small letters), whose letters may be of either case in `path`.
+bool has_extension(std::string_view path, std::string_view extension);
 
 /// No file that anyone means is longer; it keeps an endless one (a device, a pipe) from filling the memory.
 inline constexpr std::size_t longest_file = std::size_t{1} << 30;

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+/// What is to be seen, said once and neutrally: surfaces, tubes, solid cells, labels.
+///
+///     Surface   triangles on shared points      a face, a boundary, a mesh with texture coordinates
+///     Tubes     polylines with a radius         edges, fibres, axes
+///     Cells     tetrahedra and hexahedra        a mesh of a solid, with data on every cell
+///     Label     a word at a point
+///
+/// Every front end describes itself to this, and every writer (files.hpp) understands all of it, so that a
+/// new front end needs no new writer and a new file format no new front end. Coordinates are Euclidean and
+/// right-handed, z upwards, without a unit; things of hyperbolic space are put into a model first
+/// (hyperbolic.hpp). Indices count from 0 within their own element and are the describer's responsibility:
+/// writers throw PreconditionError for one out of range, lists of lengths that do not fit, numbers that are
+/// not finite, and normals that are no unit vectors (to a thousandth).
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace tetrarch::scene {
+
+using Point = std::array<double, 3>;
+
+/// As screens and painting programs count (sRGB).
+struct Color {
+  std::uint8_t red = 200;
+  std::uint8_t green = 200;
+  std::uint8_t blue = 200;
+  std::uint8_t alpha = 255; ///< 255: opaque
+  friend bool operator==(Color, Color) = default;
+};
+
+/// An integer on every triangle, polyline or cell: its tetrahedron, its copy, its class.
+struct Data {
+  /// Letters, digits and _; the same name means the same thing throughout a scene. Not element, red, green,
+  /// blue, alpha, vertex_indices: files have columns of these names.
+  std::string name;
+  std::vector<int> values;
+};
+
+struct Surface {
+  std::string name;
+  std::vector<Point> points;
+  std::vector<Point> normals;                  ///< none, or a unit vector per point
+  std::vector<std::array<double, 2>> textures; ///< none, or (u, v) per point, v upwards
+  std::vector<std::array<int, 3>> triangles;   ///< counter-clockwise from outside
+  std::vector<Color> colors;                   ///< one per triangle, or one for all, or none
+  std::vector<Data> data;                      ///< per triangle
+};
+
+struct Tubes {
+  std::string name;
+  std::vector<Point> points;
+  std::vector<double> radii;  ///< one per point, not negative
+  std::vector<int> starts{0}; ///< polyline k has the points starts[k] .. starts[k+1]-1, at least two; the
+                              ///< last entry is the number of points
+  std::vector<Color> colors;  ///< one per polyline, or one for all, or none
+  std::vector<Data> data;     ///< per polyline
+};
+
+struct Cells {
+  std::string name;
+  std::vector<Point> points;
+  std::vector<std::array<int, 4>> tetrahedra;  ///< of either orientation
+  std::vector<std::array<int, 8>> hexahedra;   ///< bottom counter-clockwise from above, then top likewise
+  std::vector<std::array<double, 3>> textures; ///< none, or (u, v, w) per point
+  std::vector<Data> data;                      ///< per cell: the tetrahedra, then the hexahedra
+};
+
+struct Label {
+  Point at{};
+  std::string text;
+};
+
+struct Scene {
+  std::string title;
+  std::vector<Surface> surfaces;
+  std::vector<Tubes> tubes;
+  std::vector<Cells> cells;
+  std::vector<Label> labels;
+};
+
+} // namespace tetrarch::scene

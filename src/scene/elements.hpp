@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+/// The elements of a scene (its surfaces, tubes and cells), as every writer goes through them.
+
+#include "tetrarch/scene/scene.hpp"
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace tetrarch::scene {
+
+/// How many triangles, polylines or cells there are.
+inline std::size_t part_count(const Surface& surface) {
+  return surface.triangles.size();
+}
+inline std::size_t part_count(const Tubes& tubes) {
+  return tubes.starts.size() - 1;
+}
+inline std::size_t part_count(const Cells& cells) {
+  return cells.tetrahedra.size() + cells.hexahedra.size();
+}
+
+/// Calls `visit` with each surface, then each tubes, then each cells. This order numbers the elements.
+template <class Visit>
+void for_each_element(const Scene& scene, Visit visit) {
+  for (const Surface& surface : scene.surfaces) visit(surface);
+  for (const Tubes& tubes : scene.tubes) visit(tubes);
+  for (const Cells& cells : scene.cells) visit(cells);
+}
+
+/// Throw PreconditionError for an index out of range, lists of lengths that do not fit, a number that is not
+/// finite, a normal that is no unit vector, and names of data that a file could not hold. O(size).
+void require_sound(const Surface& surface);
+void require_sound(const Tubes& tubes);
+void require_sound(const Cells& cells);
+void require_sound(const Scene& scene);
+
+/// The colour of part k of an element.
+inline Color color_of(const std::vector<Color>& colors, std::size_t k) {
+  return colors.empty() ? Color{} : colors[colors.size() == 1 ? 0 : k];
+}
+
+/// The names of all data in the scene, each once, in the order in which they appear.
+std::vector<std::string> data_names(const Scene& scene);
+
+/// The value that an element without these data has.
+inline constexpr int no_value = -1;
+/// For each name the list of its values, or null where the element has none.
+std::vector<const std::vector<int>*> columns_of(const std::vector<Data>& data,
+                                                const std::vector<std::string>& names);
+
+/// The scene as surfaces alone: its own, then the tubes swept, then the outer faces of cells. Those that were
+/// made live here, the others in the scene.
+struct AllSurfaces {
+  explicit AllSurfaces(const Scene& scene);
+  std::vector<Surface> made;
+  std::vector<const Surface*> all;
+};
+
+} // namespace tetrarch::scene

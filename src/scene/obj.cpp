@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "elements.hpp"
+#include "writers.hpp"
+
+#include "tetrarch/format/text.hpp"
+
+namespace tetrarch::scene {
+namespace {
+
+/// What a line takes at most on average; more only costs time.
+constexpr std::size_t line_bytes = 48;
+
+template <class Number, std::size_t dimension>
+void append_vectors(std::string& out, const char* keyword,
+                    const std::vector<std::array<double, dimension>>& vectors) {
+  for (const auto& vector : vectors) {
+    out += keyword;
+    for (const double x : vector) {
+      out += ' ';
+      format::append_number(out, static_cast<Number>(x));
+    }
+    out += '\n';
+  }
+}
+
+/// A name as one word: whoever reads the file may take a space for its end.
+std::string one_word(std::string name, std::size_t element) {
+  for (char& c : name)
+    if (static_cast<unsigned char>(c) <= ' ') c = '_';
+  return name.empty() ? "element_" + std::to_string(element) : name;
+}
+
+/// Points, textures and normals are counted from 1 through the whole file, each by themselves.
+struct Counts {
+  std::int64_t points = 1;
+  std::int64_t textures = 1;
+  std::int64_t normals = 1;
+};
+
+void append_triangles(std::string& out, const Surface& surface, const Counts& first) {
+  for (const auto& corners : surface.triangles) {
+    out += 'f';
+    for (const int corner : corners) {
+      out += ' ';
+      format::append_number(out, first.points + corner);
+      if (surface.textures.empty() && surface.normals.empty()) continue;
+      out += '/';
+      if (!surface.textures.empty()) format::append_number(out, first.textures + corner);
+      if (surface.normals.empty()) continue;
+      out += '/';
+      format::append_number(out, first.normals + corner);
+    }
+    out += '\n';
+  }
+}
+
+} // namespace
+
+std::string write_obj(const Scene& scene) {
+  const AllSurfaces surfaces(scene);
+  std::size_t lines = 0;
+  for (const Surface* s : surfaces.all)
+    lines += 1 + s->points.size() + s->textures.size() + s->normals.size() + s->triangles.size();
+  std::string out;
+  out.reserve(lines * line_bytes);
+  Counts first;
+  for (std::size_t k = 0; k < surfaces.all.size(); ++k) {
+    const Surface& surface = *surfaces.all[k];
+    out += "o " + one_word(surface.name, k) + "\n";
+    append_vectors<double>(out, "v", surface.points);
+    append_vectors<double>(out, "vt", surface.textures);
+    append_vectors<float>(out, "vn", surface.normals);
+    append_triangles(out, surface, first);
+    first.points += static_cast<std::int64_t>(surface.points.size());
+    first.textures += static_cast<std::int64_t>(surface.textures.size());
+    first.normals += static_cast<std::int64_t>(surface.normals.size());
+  }
+  return out;
+}
+
+} // namespace tetrarch::scene
