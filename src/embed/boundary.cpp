@@ -65,7 +65,6 @@ BoundaryLift lift(const Triangulation& tri, const Skeleton& skeleton, const Doma
       normalized(combination(1.0, combination(1.0, start[0], 1.0, start[1]), 1.0, start[2]));
   const Vector4<double> center = onto_surface(middle, v, result.type);
   const Matrix4<double> to_picture = upright(v, result.type, center, start[0]);
-  result.center = base_point<double>;
 
   std::map<TetVertex, const Matrix4<double>*> copy_of;
   for (const auto& triangle : triangles) {
@@ -77,6 +76,7 @@ BoundaryLift lift(const Triangulation& tri, const Skeleton& skeleton, const Doma
       x = triangle.copy * x;
       result.off_surface = std::max(result.off_surface, distance_from_surface(x, v, result.type));
       x = to_picture * x;
+      result.size = std::max(result.size, distance(base_point<double>, x));
     }
   }
   for (const auto& triangle : triangles)

@@ -10,7 +10,7 @@
 namespace tetrarch::embed {
 namespace {
 
-/// Whether a walk within the radius may leave copy g through a letter: g, g^-1 center, the letter.
+/// Whether a walk within the radius may leave copy g through a letter; `from` is g^-1 of the base point.
 using MayCross = std::function<bool(const Vector4<double>& from, int letter)>;
 
 void require_bounds(const PieceBounds& bounds) {
@@ -31,8 +31,9 @@ void append(Piece& piece, const Matrix4<double>& copy, int parent, int letter,
 }
 
 /// The isometries within the bounds; with a radius also those that the walk passed through.
-Piece walk(std::span<const Matrix4<double>> letters, const Vector4<double>& center, const PieceBounds& bounds,
-           const MayCross& may_cross, const Progress& progress) {
+Piece walk(std::span<const Matrix4<double>> letters, const PieceBounds& bounds, const MayCross& may_cross,
+           const Progress& progress) {
+  const Vector4<double>& center = base_point<double>;
   Piece piece;
   if (bounds.copies > 0)
     piece.copies.reserve(static_cast<std::size_t>(std::min<std::int64_t>(bounds.copies, 1 << 22)));
@@ -141,18 +142,22 @@ Piece universal_cover(const Domain<double>& domain, const PieceBounds& bounds, c
     return std::any_of(hexagons[letter].begin(), hexagons[letter].end(),
                        [&](const Hexagon& hexagon) { return sinh_distance(from, hexagon) <= reach; });
   };
-  Piece piece = walk(letters, base_point<double>, bounds, may_cross, progress);
+  Piece piece = walk(letters, bounds, may_cross, progress);
   if (bounds.radius > 0) trim(piece, bounds.radius);
   return piece;
 }
 
-Piece group_piece(std::span<const Matrix4<double>> letters, const Vector4<double>& center,
-                  const PieceBounds& bounds, const Progress& progress) {
+Piece group_piece(std::span<const Matrix4<double>> letters, double size, const PieceBounds& bounds,
+                  const Progress& progress) {
   require_bounds(bounds);
+  // The straight way to a centre within the radius leads through polygons whose centres are within this:
+  const double reach = bounds.radius + size;
   const MayCross may_cross = [&](const Vector4<double>& from, int letter) {
-    return distance(from, letters[static_cast<std::size_t>(letter)] * center) <= bounds.radius;
+    return distance(from, letters[static_cast<std::size_t>(letter)] * base_point<double>) <= reach;
   };
-  return walk(letters, center, bounds, may_cross, progress);
+  Piece piece = walk(letters, bounds, may_cross, progress);
+  if (bounds.radius > 0) trim(piece, bounds.radius);
+  return piece;
 }
 
 std::vector<int> word_to(const Piece& piece, int c) {

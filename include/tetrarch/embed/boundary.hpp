@@ -25,7 +25,7 @@ struct BoundaryLift {
   /// The isometries of the plane or horosphere that take this polygon to its neighbours, each with its
   /// inverse: generators of the surface's group.
   std::vector<Matrix4<double>> pairings;
-  Vector4<double> center; ///< of the first triangle
+  double size = 0; ///< largest distance of a corner from the middle of the first triangle, the base point
   /// Largest distance of a corner from the surface on which all should lie.
   double off_surface = 0;
 };

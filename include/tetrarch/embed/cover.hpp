@@ -46,11 +46,11 @@ std::int64_t piece_bytes(std::int64_t copies);
 /// reached through faces that come within it, so that nothing within it is missed.
 Piece universal_cover(const Domain<double>& domain, const PieceBounds& bounds, const Progress& progress = {});
 
-/// The same for any discrete group of isometries without fixed points in hyperbolic space, by generators.
-/// `letters` must contain with every isometry its inverse. A radius here only looks at the centres: copies
-/// that can be reached only through farther ones are missed.
-Piece group_piece(std::span<const Matrix4<double>> letters, const Vector4<double>& center,
-                  const PieceBounds& bounds, const Progress& progress = {});
+/// The same for any discrete group of isometries without fixed points in hyperbolic space, by generators: the
+/// tiling by a polygon around the base point, all of which lies within `size` of it. `letters` must contain
+/// with every isometry its inverse.
+Piece group_piece(std::span<const Matrix4<double>> letters, double size, const PieceBounds& bounds,
+                  const Progress& progress = {});
 
 /// The word of copy `c` in the letters, from the first copy on. O(length).
 std::vector<int> word_to(const Piece& piece, int c);
