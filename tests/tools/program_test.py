@@ -486,5 +486,108 @@ class Manners(unittest.TestCase):
         self.assertEqual(plain, german)
 
 
+class Embed(unittest.TestCase):
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory()
+        self.addCleanup(self.folder.cleanup)
+
+    def path(self, name):
+        return os.path.join(self.folder.name, name)
+
+    def complaint(self, *arguments):
+        done = run(*arguments)
+        self.assertEqual(done.returncode, 2, done.stderr)
+        self.assertEqual(done.stderr.count("\n"), 1, done.stderr)
+        self.assertEqual(os.listdir(self.folder.name), [])
+        return done.stderr
+
+    def test_the_knotted_y(self):
+        status, made = run_json("embed", "cPcbbbihq", "--copies", "100")
+        self.assertEqual(status, 0)
+        for name, value in made["residuals"].items():
+            self.assertLess(value, 1e-10, name)
+        # By hand: eight faces, one pair of them inside the domain.
+        self.assertEqual(len(made["domain"]["gluable_faces"]), 6)
+        self.assertEqual(made["copies"]["count"], 100)
+
+    def test_generators_satisfy_the_relators(self):
+        # A second route to the holonomy: the printed matrices, multiplied here along the printed words.
+        made = run_json("embed", "dLQacccjjkg")[1]["domain"]
+
+        def product(a, b):
+            return [[sum(x * y for x, y in zip(row, column)) for column in zip(*b)] for row in a]
+
+        def inverse(m):
+            return [[m[j][i] * (1 if (i == 3) == (j == 3) else -1) for j in range(4)] for i in range(4)]
+
+        identity = [[float(i == j) for j in range(4)] for i in range(4)]
+        for word in made["relators"]:
+            m = identity
+            for letter in word:
+                g = made["generators"][ord(letter.lower()) - ord("a")]["so31"]
+                m = product(m, g if letter.islower() else inverse(g))
+            self.assertLess(max(abs(m[i][j] - identity[i][j]) for i in range(4) for j in range(4)), 1e-9, word)
+        for g in made["generators"]:
+            a, b, c, d = (complex(*z) for z in g["sl2c"]["matrix"])
+            self.assertLess(abs(a * d - b * c - 1), 1e-12)
+
+    def test_pictures_of_every_kind(self):
+        beginnings = {"a.glb": b"glTF", "a.ply": b"ply\n", "a.obj": b"o ", "a.vtu": b"<?xml", "a.svg": b"<"}
+        for name, beginning in beginnings.items():
+            for options in ([], ["--boundary", "0"]):
+                done = run("embed", "cPcbbbihq", "--copies", "5", *options, "-o", self.path(name))
+                self.assertEqual(done.returncode, 0, done.stderr)
+                with open(self.path(name), "rb") as file:
+                    self.assertTrue(file.read().startswith(beginning), name)
+
+    def test_the_same_bytes_again(self):
+        for name in ("a.glb", "b.glb"):
+            run("embed", "dLQacccjjkg", "--radius", "2", "--model", "klein", "-o", self.path(name))
+        with open(self.path("a.glb"), "rb") as a, open(self.path("b.glb"), "rb") as b:
+            self.assertEqual(a.read(), b.read())
+
+    def test_no_structure_names_the_command_that_finds_one(self):
+        # The trefoil's complement by Regina (Example3.trefoil), a Seifert space, and a ball with real boundary.
+        self.assertIn("tetrarch hyperbolize cPcbbbadu", self.complaint("embed", "cPcbbbadu"))
+        self.assertIn("tetrarch hyperbolize baa", self.complaint("embed", "baa", "-o", self.path("a.glb")))
+
+    def test_copies_that_do_not_fit_or_are_none(self):
+        self.assertIn("expected at least 1", self.complaint("embed", "cPcbbbihq", "--copies", "0"))
+        message = self.complaint("embed", "cPcbbbihq", "--copies", "1000000000", "-o", self.path("a.glb"))
+        self.assertRegex(message, r"about \d+ GB would be needed, and 4.0 GB are allowed \(--memory\)")
+        message = self.complaint("embed", "cPcbbbihq", "--copies", "1000", "--memory", "0.05", "-o", self.path("a.glb"))
+        self.assertIn("1000 copies in", message)
+        self.assertIn("--memory", self.complaint("embed", "cPcbbbihq", "--radius", "30", "--memory", "0.01"))
+        self.assertIn("counted from 0", self.complaint("embed", "cPcbbbihq", "--boundary", "1"))
+
+    def test_places_that_cannot_be_written(self):
+        self.assertIn("no such folder", self.complaint("embed", "cPcbbbihq", "-o", self.path("x/a.glb")))
+        self.assertIn(".glb", self.complaint("embed", "cPcbbbihq", "-o", self.path("a.png")))
+        self.assertIn("no such folder", self.complaint("view", "cPcbbbihq", "-o", self.path("x/a.html")))
+        self.complaint("view", "cPcbbbihq", "-o", self.folder.name)
+
+
+class View(unittest.TestCase):
+    def test_the_page_holds_the_scene_and_asks_for_nothing(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "y.html")
+            done = run("view", "cPcbbbihq", "-o", path, "--copies", "20")
+            if "built without the viewer" in done.stderr:
+                self.skipTest(done.stderr.strip())
+            self.assertEqual(done.returncode, 0, done.stderr)
+            with open(path, encoding="utf-8") as file:
+                page = file.read()
+        begin = page.index(">", page.index('id="tetrarch-scene"')) + 1
+        scene = json.loads(page[begin:page.index("</script>", begin)])
+        self.assertEqual([b["name"] for b in scene["bodies"]], ["fundamental domain", "boundary 0 (genus 2)"])
+        self.assertIn(["volume", "6.451990270835"], scene["tables"][0]["rows"])
+        self.assertNotRegex(page, r'(src|href)="(?!data:|#)')
+
+    def test_too_many_copies_for_a_page(self):
+        done = run("view", "cPcbbbihq", "-o", "/tmp/never.html", "--copies", "100000")
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("tetrarch embed", done.stderr)
+
+
 if __name__ == "__main__":
     unittest.main(argv=[sys.argv[0], *sys.argv[3:]])

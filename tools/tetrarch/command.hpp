@@ -65,6 +65,8 @@ Run declare_subdivide(CLI::App& app);
 Run declare_hyperbolize(CLI::App& app);
 Run declare_canonize(CLI::App& app);
 Run declare_isometric(CLI::App& app);
+Run declare_embed(CLI::App& app);
+Run declare_view(CLI::App& app);
 Run declare_census_gluings(CLI::App& app);
 Run declare_census_enumerate(CLI::App& app);
 Run declare_census_validate(CLI::App& app);

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "embedding.hpp"
+
+#include "input.hpp"
+#include "text.hpp"
+
+#include "tetrarch/core/error.hpp"
+
+#include <algorithm>
+#include <limits>
+
+namespace tetrarch::program {
+namespace {
+
+/// Which command leads on from a triangulation without a structure.
+std::string way_out(hyperbolic::Outcome outcome, const std::string& input) {
+  switch (outcome) {
+  case hyperbolic::Outcome::projective_plane:
+  case hyperbolic::Outcome::invalid:
+    return {};
+  default:
+    return "; 'tetrarch hyperbolize " + input + " -o FILE.json' looks for one on other triangulations of it";
+  }
+}
+
+std::string in_gigabytes(double bytes) {
+  return fixed(bytes / 1e9, bytes < 1e10 ? 1 : 0) + " GB";
+}
+
+} // namespace
+
+Embedding embedded(const std::string& input, double cusp_area, const Context& context) {
+  if (!(cusp_area > 0)) throw InputError("--cusp-area " + fixed(cusp_area, 3) + ": expected a positive area");
+  format::Document document = read_triangulation(input, {false, context.progress});
+  require_manifold(document.triangulation, input);
+  Embedding e{std::move(document.triangulation), Skeleton(Triangulation()), std::move(document.name), {}, {},
+              std::move(document.warnings)};
+  if (e.name.empty()) e.name = input;
+  e.skeleton = Skeleton(e.tri);
+  e.structure = hyperbolic::hyperbolize(e.tri, e.skeleton, {}, context.progress);
+  if (e.structure.outcome == hyperbolic::Outcome::stopped) throw Stopped();
+  if (e.structure.outcome != hyperbolic::Outcome::geometric)
+    throw InputError({input, 0}, "there is no structure to embed: " + describe(e.structure, e.skeleton) +
+                                     way_out(e.structure.outcome, input));
+  e.domain = embed::fundamental_domain(e.tri, e.skeleton, e.structure, {cusp_area}, context.progress);
+  return e;
+}
+
+void require_memory(const std::string& what, double bytes, double gigabytes) {
+  if (!(gigabytes > 0)) throw InputError("--memory: expected a positive number of gigabytes");
+  if (bytes > 1e9 * gigabytes)
+    throw InputError(what + ": about " + in_gigabytes(bytes) + " would be needed, and " +
+                     in_gigabytes(1e9 * gigabytes) + " are allowed (--memory)");
+}
+
+embed::PieceBounds allowed_bounds(const embed::PieceBounds& wanted, double gigabytes) {
+  const auto bytes = static_cast<double>(embed::piece_bytes(wanted.copies));
+  require_memory("--copies " + std::to_string(wanted.copies), bytes, gigabytes);
+  const double most = std::min(1e9 * gigabytes / static_cast<double>(embed::piece_bytes(1)),
+                               double{std::numeric_limits<int>::max()});
+  embed::PieceBounds bounds = wanted;
+  if (bounds.copies == 0) bounds.copies = std::max<std::int64_t>(1, static_cast<std::int64_t>(most));
+  return bounds;
+}
+
+void require_complete(const embed::Piece& piece, const embed::PieceBounds& wanted, double gigabytes) {
+  if (wanted.copies > 0 || piece.complete) return;
+  throw InputError(std::string(wanted.radius > 0 ? "--radius" : "--word-length") + ": more than " +
+                   std::to_string(piece.copies.size()) + " copies, as many as fit into the " +
+                   in_gigabytes(1e9 * gigabytes) + " allowed (--memory)");
+}
+
+} // namespace tetrarch::program
