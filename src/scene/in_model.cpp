@@ -13,9 +13,8 @@
 namespace tetrarch::scene {
 namespace {
 
-using embed::combination;
 using embed::Model;
-using embed::operator*;
+using embed::operator*; // NOLINT(misc-unused-using-decls): clang-tidy 14 misses operators
 using embed::to_model;
 
 constexpr Color white{255, 255, 255};

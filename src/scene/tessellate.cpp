@@ -14,7 +14,7 @@ namespace {
 using embed::combination;
 using embed::inner;
 using embed::normalized;
-using embed::operator*;
+using embed::operator*; // NOLINT(misc-unused-using-decls): clang-tidy 14 misses operators
 
 /// A triangle on its way; side k runs from corner k to corner k+1 along a geodesic, or in the horosphere of
 /// the curve with this number.
@@ -84,7 +84,7 @@ private:
     }
     // Turned so that a lone halved side, or a lone whole one, is the first.
     int turn = 0;
-    while ((m[turn] >= 0) == (count == 1 ? false : true) && count < 3) ++turn;
+    while (count < 3 && (m[turn] >= 0) != (count == 1)) ++turn;
     const auto [a, b, c] =
         std::array{piece.corner[turn], piece.corner[(turn + 1) % 3], piece.corner[(turn + 2) % 3]};
     const auto [ab, bc, ca] =

@@ -34,8 +34,8 @@ double extent(const Body& body, embed::Model model);
 /// it has sides for a tiny one. Throws PreconditionError for a chord error or radius that is not positive.
 Scene in_model(const Body& body, const ModelOptions& options, const Progress& progress = {});
 
-/// Memory that `in_model` and a file of its result take together, from some copies spread over all: right to a
-/// factor of two. O(1) copies.
+/// Memory that `in_model` and a file of its result take together, from some copies spread over all: right to
+/// a factor of two. O(1) copies.
 double scene_bytes(const Body& body, const ModelOptions& options);
 
 /// A flat body as a drawing: a vertical one in the half plane or (in the ball models) the disk, a horizontal

@@ -27,6 +27,9 @@ import { meanLength, PRISM, RIBBON, ROUND, tubeArrays } from './tubes.js';
 const CENTRES_PER_ROW = 1024;
 /// More colours than this are repeated.
 const MOST_TINTS = 2048;
+/// Glued faces coincide up to the chords they are made of. Outer sides give way by this hyperbolic length, so
+/// that who looks into a tetrahedron sees its own inner sides.
+const RECEDE = 0.02;
 /// Where a vertex' colour comes from, as the shader counts.
 const BY = { tetrahedron: 0, class: 1, word: 2, nothing: 3 };
 
@@ -144,11 +147,7 @@ export class BodyView {
         source: { value: 0 },
         tints: { value: null },
       },
-      // Glued faces coincide. Outer sides give way, so that who looks into a tetrahedron sees its own inner
-      // sides. Ribbons lie in their tiles and are drawn over them.
-      polygonOffset: side > 0,
-      polygonOffsetFactor: 0.25,
-      polygonOffsetUnits: 2,
+      // Ribbons lie in their tiles and are drawn over them.
       depthTest: !this.planar,
     });
     const mesh = new Mesh(geometry, material);
@@ -173,6 +172,7 @@ export class BodyView {
     for (const side of this.planar ? [0] : [-1, 1])
       this.addMesh({ part, side, geometry, instances }, surfaceVertex, {
         horosphere: { value: surface.kind === 'cusp' },
+        recede: { value: 0 },
       });
   }
 
@@ -212,6 +212,7 @@ export class BodyView {
       layer.mesh.visible =
         { face: settings.faces, boundary: settings.boundary, tube: settings.edges }[layer.part] &&
         !(closed && layer.side < 0);
+      if (layer.side > 0) layer.material.uniforms.recede.value = closed ? 0 : RECEDE;
       this.colour(layer, settings, theme);
     }
   }

@@ -90,11 +90,12 @@ export const surfaceVertex =
   /* glsl */ `
 in vec4 covector;
 uniform bool horosphere;
+uniform float recede;
 
 void main() {
   vec4 X = onHyperboloid(frame * (motion * point));
   vec3 p = projected(X);
-  place(p, normalize(outward(frame * (motion * covector), X, p, horosphere)), 0.0);
+  place(p, normalize(outward(frame * (motion * covector), X, p, horosphere)), -recede * scaleAt(X));
 }
 `;
 
