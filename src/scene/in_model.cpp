@@ -149,6 +149,14 @@ private:
   std::set<std::array<std::int64_t, 3>> known_;
 };
 
+/// A line at infinity, as far as any picture goes.
+Outline long_line(const embed::CircleAtInfinity& line, const Ink& ink) {
+  constexpr double far = 1e4;
+  const auto [x, y] = line.center;
+  const std::array<double, 2> foot{line.radius * x, line.radius * y};
+  return {{{foot[0] - far * y, foot[1] + far * x}, {foot[0] + far * y, foot[1] - far * x}}, false, ink};
+}
+
 /// The window around points, a little larger; for the half plane it ends just below the real axis.
 void fit(Drawing& drawing, const std::vector<std::array<double, 2>>& points, double margin) {
   drawing.lower = drawing.upper = points.front();
@@ -269,6 +277,7 @@ Drawing drawing_of(const Body& body, const ModelOptions& options) {
 }
 
 Drawing circles_at_infinity(const Body& body) {
+  constexpr Color grey{150, 155, 165};
   Drawing drawing;
   drawing.title = "circles at infinity of the geodesic boundary";
   std::vector<std::array<double, 2>> seen;
@@ -276,12 +285,17 @@ Drawing circles_at_infinity(const Body& body) {
   for (std::size_t c = 0; c < body.copies.size(); ++c) {
     const Matrix4 place = body.half_space * body.copies[c];
     for (const Patch& patch : body.patches) {
-      if (patch.kind != Patch::Kind::boundary) continue;
+      const bool face = patch.kind == Patch::Kind::face;
+      if (patch.kind == Patch::Kind::cusp || (face && body.copies.size() > 1)) continue;
       const auto circle = embed::circle_at_infinity(place * patch.normal);
-      if (circle.line || !known.insert({circle.center[0], circle.center[1], circle.radius})) continue;
-      drawing.circles.push_back(
-          {circle.center, circle.radius, {std::nullopt, qualitative(patch.number + 4), 0.7}});
-      if (c > 0) continue;
+      const Ink ink{std::nullopt, face ? grey : qualitative(patch.number + 4), 0.7};
+      if (circle.line) {
+        drawing.outlines.push_back(long_line(circle, ink));
+        continue;
+      }
+      if (!known.insert({circle.center[0], circle.center[1], circle.radius})) continue;
+      drawing.circles.push_back({circle.center, circle.radius, ink});
+      if (c > 0 || face) continue;
       seen.push_back({circle.center[0] - circle.radius, circle.center[1] - circle.radius});
       seen.push_back({circle.center[0] + circle.radius, circle.center[1] + circle.radius});
     }

@@ -2,8 +2,7 @@
 
 /// Fundamental domains, the holonomy, pieces of the universal cover and unrolled boundaries.
 
-#include "support/enumeration.hpp"
-#include "support/zoo.hpp"
+#include "hyperbolic/samples.hpp"
 #include "tetrarch/census/manifold.hpp"
 #include "tetrarch/core/error.hpp"
 #include "tetrarch/core/signature.hpp"
@@ -139,6 +138,23 @@ TEST_CASE("all 8 + 151 manifolds: seams, relators, edges, boundary planes and ar
   CHECK(worst.edge_rotation < 1e-10);
   CHECK(worst.boundary_plane < 1e-10);
   CHECK(worst.gauss_bonnet < 1e-9);
+}
+
+TEST_CASE("larger triangulations are placed in doubles: covers of the knotted Y") {
+  // Of degree 5, by the same lengths as below; ten tetrahedra and five edges.
+  const Triangulation y = from_signature(knotted_y);
+  const auto cover = hyperbolic::samples::some_cyclic_cover(y, 5);
+  REQUIRE(cover);
+  const Skeleton skeleton(*cover);
+  const auto lengths = hyperbolic::hyperbolize(*cover, skeleton).lengths;
+  const auto domain = fundamental_domain(*cover, skeleton, lengths);
+  const Residuals r = residuals(*cover, skeleton, domain);
+  CHECK(domain.order.size() == 10);
+  CHECK(r.seam < 1e-9);
+  CHECK(r.edge_rotation < 1e-9);
+  CHECK(r.boundary_plane < 1e-9);
+  CHECK(r.gauss_bonnet < 1e-9);
+  CHECK(r.relator_sl2c < 1e-9);
 }
 
 TEST_CASE("in 50 digits the residuals shrink to 1e-40") {

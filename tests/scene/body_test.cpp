@@ -237,6 +237,15 @@ TEST_CASE("the circles at infinity: each lift of the boundary once, and they do 
   CHECK(std::any_of(drawing.circles.begin(), drawing.circles.end(), [](const Circle& c) {
     return std::hypot(c.center[0], c.center[1]) < 1e-9 && std::abs(c.radius - 1) < 1e-9;
   }));
+  // Of the domain alone (figure 4.12): the unit circle and the one of radius e^l around it, which tetrahedron
+  // 0's vertices 0 and 1 have, and two lines through 0 for its faces on the axis.
+  const Drawing one = circles_at_infinity(m.body(1));
+  CHECK(std::count_if(one.circles.begin(), one.circles.end(),
+                      [](const Circle& c) { return std::hypot(c.center[0], c.center[1]) < 1e-9; }) >= 2);
+  CHECK(std::count_if(one.outlines.begin(), one.outlines.end(), [](const Outline& o) {
+          const auto& [p, q] = std::pair{o.points[0], o.points[1]};
+          return std::abs(p[0] * q[1] - p[1] * q[0]) < 1e-3;
+        }) >= 2);
   CHECK(write_svg(drawing).find("<circle") != std::string::npos);
 }
 

@@ -207,6 +207,9 @@ Result run_embed(const Options& options, const Context& context) {
   const embed::Residuals r = residuals(e.tri, e.skeleton, e.domain);
   Result result;
   result.warnings = e.warnings;
+  if (constexpr double visible = 1e-6; !(std::max({r.seam, r.boundary_plane, r.edge_rotation}) < visible))
+    result.warnings.push_back("the domain is too large for doubles: its far parts are off by " +
+                              scientific(std::max(r.seam, r.boundary_plane), 1));
   result.text = block(report(e, r, drawn.piece));
   result.json = {{"signature", signature(e.tri)}, {"volume", e.structure.volume}};
   result.json["residuals"] = residuals_json(r);
