@@ -3,12 +3,14 @@
 /// Fundamental domains, the holonomy, pieces of the universal cover and unrolled boundaries.
 
 #include "hyperbolic/samples.hpp"
+#include "src/embed/isometry_table.hpp"
 #include "tetrarch/census/manifold.hpp"
 #include "tetrarch/core/error.hpp"
 #include "tetrarch/core/signature.hpp"
 #include "tetrarch/embed/boundary.hpp"
 #include "tetrarch/embed/cover.hpp"
 #include "tetrarch/embed/mobius.hpp"
+#include "tetrarch/embed/model.hpp"
 #include "tetrarch/hyperbolic/real50.hpp"
 
 #include <algorithm>
@@ -325,17 +327,25 @@ TEST_CASE("copies by radius: none is missed, cusps or not") {
   // Witness: all copies of much larger balls by word length, sifted by distance.
   for (const std::string& sig : {knotted_y, figure_eight, both_kinds, std::string("eLAkbccddhhnxk")}) {
     const Embedded e(sig);
-    const double radius = 2.5;
-    const Piece by_radius = universal_cover(e.domain, {0, 0, radius});
     const Piece by_words = universal_cover(e.domain, {200'000, 0, 0});
-    const auto count = [radius](const Piece& piece) {
-      return std::count_if(piece.distance.begin(), piece.distance.end(),
-                           [&](double d) { return d <= radius; });
-    };
-    CAPTURE(sig);
-    CHECK(count(by_radius) == count(by_words));
-    CHECK(count(by_radius) > 5);
-    CHECK(by_radius.complete);
+    for (const double radius : {1.3, 1.9, 2.5}) {
+      const Piece by_radius = universal_cover(e.domain, {0, 0, radius});
+      const auto count = [radius](const Piece& piece) {
+        return std::count_if(piece.distance.begin(), piece.distance.end(),
+                             [&](double d) { return d <= radius; });
+      };
+      CAPTURE(sig, radius);
+      CHECK(count(by_radius) == count(by_words));
+      CHECK(by_radius.complete);
+      // What lies outside leads to something inside.
+      std::vector<char> leads(by_radius.copies.size(), 0);
+      for (std::size_t c = by_radius.copies.size(); c-- > 1;) {
+        REQUIRE((leads[c] || by_radius.distance[c] <= radius));
+        leads[by_radius.parent[c]] = 1;
+      }
+    }
+    const Piece by_radius = universal_cover(e.domain, {0, 0, 2.5});
+    CHECK(by_radius.copies.size() > 5);
     // It hangs together: every copy's parent is there and next to it.
     for (std::size_t c = 1; c < by_radius.copies.size(); ++c) {
       REQUIRE(by_radius.parent[c] >= 0);
@@ -390,6 +400,49 @@ TEST_CASE("a geodesic boundary unrolls into the plane y = 0, seen from outside")
                      base_point<double>) < (lift.type == VertexType::hyperideal ? 1e-9 : 1));
     }
   }
+}
+
+TEST_CASE("an unrolled boundary is seen from outside, not in a mirror") {
+  // Tetrahedron 0 is positively handed where it lies: from outside its face i shows outward(i)
+  // counter-clockwise, so that from vertex i, beyond the truncation, the edges to those vertices leave it
+  // clockwise.
+  for (const std::string& sig : {knotted_y, both_kinds, figure_eight}) {
+    const Embedded e(sig);
+    const auto hands = orientation(e.tri);
+    REQUIRE(hands);
+    for (const BoundaryLift& lift : boundary_lifts(e.tri, e.skeleton, e.domain))
+      for (std::size_t k = 0; k < lift.triangles.size(); ++k) {
+        const TetVertex at = lift.triangles[k];
+        const OrientedTetFace order = outward({at.tet, at.vertex});
+        std::array<std::array<double, 2>, 3> p;
+        for (int c = 0; c < 3; ++c) {
+          const int vertex = c == 0 ? order.a : c == 1 ? order.b : order.c;
+          const auto q = to_model(Model::half_space, lift.corners[k][face_corner(at.vertex, vertex)]);
+          // The plane y = 0 from the side y < 0; the plane z = 1 from above.
+          p[c] = {q[0], lift.type == VertexType::hyperideal ? q[2] : q[1]};
+        }
+        const double area =
+            (p[1][0] - p[0][0]) * (p[2][1] - p[0][1]) - (p[2][0] - p[0][0]) * (p[1][1] - p[0][1]);
+        REQUIRE(area * (*hands)[at.tet] < 0);
+      }
+  }
+}
+
+TEST_CASE("an isometry is found again wherever rounding puts it") {
+  // Boosts whose image of the base point lies on the border of a cell, from just below it to just above.
+  for (const int cell : {-700, -3, 0, 5, 64, 900})
+    for (const double off : {-1e-10, -1e-13, 0.0, 1e-13, 1e-10}) {
+      const double x = (cell - 0.3819660112501051) / 1024;
+      const auto boost = [](double speed) {
+        const double t = 1 / std::sqrt(1 - speed * speed);
+        return boost_to(Vector4<double>{speed * t, 0, 0, t});
+      };
+      std::vector<Matrix4<double>> list{boost(x + off)};
+      IsometryTable table(list);
+      table.add_last();
+      CHECK(table.find(boost(x - off)) == 0);
+      CHECK(table.find(boost(x + 1e-5)) == -1);
+    }
 }
 
 TEST_CASE("the tiling of a boundary covers the disk: areas add up, and copies do not overlap") {
