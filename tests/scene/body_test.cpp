@@ -276,6 +276,19 @@ TEST_CASE("a boundary's tiling is drawn in the half plane, the disk, and for a c
   CHECK(area == Approx(0.5).epsilon(1e-9));
 }
 
+TEST_CASE("the nearest copies are kept, nearest first") {
+  const Manifold m("cPcbbbihq");
+  Body body = m.body(200);
+  std::vector<double> far;
+  for (const auto& copy : body.copies) far.push_back(copy[3][3]);
+  std::sort(far.begin(), far.end());
+  keep_nearest(body, 50);
+  REQUIRE(body.copies.size() == 50);
+  REQUIRE(body.length.size() == 50);
+  CHECK(body.length[0] == 0);
+  for (std::size_t c = 0; c < 50; ++c) REQUIRE(body.copies[c][3][3] == Approx(far[c]).epsilon(1e-5));
+}
+
 TEST_CASE("bad options are refused") {
   const Manifold m("bkaaid");
   ModelOptions options;
