@@ -11,21 +11,13 @@ namespace {
 
 /// The point on the surface (plane or horosphere of v) nearest to a point near it.
 Vector4<double> onto_surface(const Vector4<double>& x, const Vector4<double>& v, VertexType type) {
-  const double w = inner(x, v);
-  if (type == VertexType::hyperideal) return normalized(combination(1.0, x, -w, v));
-  return combination((1 - 1 / (w * w)) / 2, v, -1 / w, x);
+  if (type == VertexType::hyperideal) return normalized(combination(1.0, x, -inner(x, v), v));
+  return onto_horosphere(x, v);
 }
 
 double distance_from_surface(const Vector4<double>& x, const Vector4<double>& v, VertexType type) {
   const double w = inner(x, v);
   return type == VertexType::hyperideal ? std::abs(std::asinh(w)) : std::abs(std::log(-w));
-}
-
-Matrix4<double> matrix_with_columns(const std::array<Vector4<double>, 4>& columns) {
-  Matrix4<double> m;
-  for (int i = 0; i < 4; ++i)
-    for (int j = 0; j < 4; ++j) m[i][j] = columns[j][i];
-  return m;
 }
 
 /// The unit vector perpendicular to the given orthonormal ones (`t` time-like, `n` space-like) towards x.
@@ -45,8 +37,8 @@ Matrix4<double> upright(const Vector4<double>& v, VertexType type, const Vector4
   const Vector4<double> side = tangent_towards(corner, center, n);
   Vector4<double> last = normalized(cross(side, n, center));
   const auto frame = [&] {
-    return type == VertexType::hyperideal ? matrix_with_columns({last, n, side, center})
-                                          : matrix_with_columns({side, last, n, center});
+    return type == VertexType::hyperideal ? matrix_with_columns<double>({last, n, side, center})
+                                          : matrix_with_columns<double>({side, last, n, center});
   };
   if (hyperbolic::determinant(frame()) < 0) last = scaled(-1.0, last);
   return inverse(reorthonormalized(frame()));
@@ -61,9 +53,7 @@ BoundaryLift lift(const Triangulation& tri, const Skeleton& skeleton, const Doma
   result.type = domain.types[first.tet][first.vertex];
   const Vector4<double>& v = domain.vertices[first.tet][first.vertex];
   const auto start = corners_of(domain, first);
-  const Vector4<double> middle =
-      normalized(combination(1.0, combination(1.0, start[0], 1.0, start[1]), 1.0, start[2]));
-  const Vector4<double> center = onto_surface(middle, v, result.type);
+  const Vector4<double> center = onto_surface(centroid(start), v, result.type);
   const Matrix4<double> to_picture = upright(v, result.type, center, start[0]);
 
   std::map<TetVertex, const Matrix4<double>*> copy_of;

@@ -30,42 +30,6 @@ void append(Piece& piece, const Matrix4<double>& copy, int parent, int letter,
   piece.distance.push_back(distance(center, copy * center));
 }
 
-/// The isometries within the bounds; with a radius also those that the walk passed through.
-Piece walk(std::span<const Matrix4<double>> letters, const PieceBounds& bounds, const MayCross& may_cross,
-           const Progress& progress) {
-  const Vector4<double>& center = base_point<double>;
-  Piece piece;
-  if (bounds.copies > 0)
-    piece.copies.reserve(static_cast<std::size_t>(std::min<std::int64_t>(bounds.copies, 1 << 22)));
-  IsometryTable table(piece.copies);
-  append(piece, identity<double>(), -1, -1, center);
-  table.add_last();
-  for (std::size_t next = 0; next < piece.copies.size(); ++next) {
-    if (bounds.word_length > 0 && piece.length[next] == bounds.word_length) break;
-    if (next % 1024 == 0)
-      progress.step("copies",
-                    bounds.copies > 0 ? static_cast<double>(piece.copies.size()) / bounds.copies : -1);
-    const Matrix4<double> here = piece.copies[next];
-    const Vector4<double> from = inverse(here) * center;
-    for (std::size_t letter = 0; letter < letters.size(); ++letter) {
-      if (bounds.radius > 0 && !may_cross(from, static_cast<int>(letter))) continue;
-      const Matrix4<double> there = here * letters[letter];
-      if (table.find(there) >= 0) continue;
-      if (bounds.copies > 0 && static_cast<std::int64_t>(piece.copies.size()) >= bounds.copies) {
-        piece.complete = bounds.word_length == 0 && bounds.radius == 0;
-        piece.largest_duplicate = table.largest_duplicate();
-        piece.closest = table.closest();
-        return piece;
-      }
-      append(piece, there, static_cast<int>(next), static_cast<int>(letter), center);
-      table.add_last();
-    }
-  }
-  piece.largest_duplicate = table.largest_duplicate();
-  piece.closest = table.closest();
-  return piece;
-}
-
 /// Drops what lies outside the radius and leads to nothing inside.
 void trim(Piece& piece, double radius) {
   const std::size_t n = piece.copies.size();
@@ -90,6 +54,43 @@ void trim(Piece& piece, double radius) {
   piece.letter.resize(kept);
   piece.length.resize(kept);
   piece.distance.resize(kept);
+}
+
+/// The isometries within the bounds; with a radius also those that lead to them.
+Piece walk(std::span<const Matrix4<double>> letters, const PieceBounds& bounds, const MayCross& may_cross,
+           const Progress& progress) {
+  const Vector4<double>& center = base_point<double>;
+  Piece piece;
+  if (bounds.copies > 0)
+    piece.copies.reserve(static_cast<std::size_t>(std::min<std::int64_t>(bounds.copies, 1 << 22)));
+  IsometryTable table(piece.copies);
+  append(piece, identity<double>(), -1, -1, center);
+  table.add_last();
+  bool full = false;
+  for (std::size_t next = 0; next < piece.copies.size() && !full; ++next) {
+    if (bounds.word_length > 0 && piece.length[next] == bounds.word_length) break;
+    if (next % 1024 == 0)
+      progress.step("copies",
+                    bounds.copies > 0 ? static_cast<double>(piece.copies.size()) / bounds.copies : -1);
+    const Matrix4<double> here = piece.copies[next];
+    const Vector4<double> from = inverse(here) * center;
+    for (std::size_t letter = 0; letter < letters.size(); ++letter) {
+      if (bounds.radius > 0 && !may_cross(from, static_cast<int>(letter))) continue;
+      const Matrix4<double> there = here * letters[letter];
+      if (table.find(there) >= 0) continue;
+      if (bounds.copies > 0 && static_cast<std::int64_t>(piece.copies.size()) >= bounds.copies) {
+        piece.complete = bounds.word_length == 0 && bounds.radius == 0;
+        full = true;
+        break;
+      }
+      append(piece, there, static_cast<int>(next), static_cast<int>(letter), center);
+      table.add_last();
+    }
+  }
+  piece.largest_duplicate = table.largest_duplicate();
+  piece.closest = table.closest();
+  if (bounds.radius > 0) trim(piece, bounds.radius);
+  return piece;
 }
 
 /// The planes that bound one hexagon: its own, and those that cut it out of its own.
@@ -142,9 +143,7 @@ Piece universal_cover(const Domain<double>& domain, const PieceBounds& bounds, c
     return std::any_of(hexagons[letter].begin(), hexagons[letter].end(),
                        [&](const Hexagon& hexagon) { return sinh_distance(from, hexagon) <= reach; });
   };
-  Piece piece = walk(letters, bounds, may_cross, progress);
-  if (bounds.radius > 0) trim(piece, bounds.radius);
-  return piece;
+  return walk(letters, bounds, may_cross, progress);
 }
 
 Piece group_piece(std::span<const Matrix4<double>> letters, double size, const PieceBounds& bounds,
@@ -155,9 +154,7 @@ Piece group_piece(std::span<const Matrix4<double>> letters, double size, const P
   const MayCross may_cross = [&](const Vector4<double>& from, int letter) {
     return distance(from, letters[static_cast<std::size_t>(letter)] * base_point<double>) <= reach;
   };
-  Piece piece = walk(letters, bounds, may_cross, progress);
-  if (bounds.radius > 0) trim(piece, bounds.radius);
-  return piece;
+  return walk(letters, bounds, may_cross, progress);
 }
 
 std::vector<int> word_to(const Piece& piece, int c) {

@@ -103,10 +103,10 @@ void walk(const Triangulation& tri, const Skeleton& skeleton, const Metric<Scala
 /// Moves everything so that the centroid of the tetrahedra's middles comes to the base point.
 template <class Scalar>
 void centre(Domain<Scalar>& domain) {
-  Vector4<Scalar> sum{};
+  std::vector<Vector4<Scalar>> middles;
   for (std::size_t t = 0; t < domain.vertices.size(); ++t)
-    sum = combination(Scalar(1), sum, Scalar(1), center(domain.vertices[t], domain.types[t]));
-  domain.half_space = boost_to(normalized(sum));
+    middles.push_back(center(domain.vertices[t], domain.types[t]));
+  domain.half_space = boost_to(centroid(middles));
   const Matrix4<Scalar> back = inverse(domain.half_space);
   for (VertexVectors<Scalar>& vertices : domain.vertices)
     for (Vector4<Scalar>& v : vertices) v = back * v;
@@ -136,16 +136,18 @@ void find_gluable_faces(const Triangulation& tri, const Skeleton& skeleton, cons
       int& id = number[find_root(group, static_cast<int>(index(face)))];
       if (id < 0) {
         id = static_cast<int>(domain.faces.size());
-        domain.faces.emplace_back().pairing = pairing(tri, skeleton, lengths, domain, face);
+        domain.faces.emplace_back();
       }
       domain.gluable[t][f] = id;
       domain.faces[id].hexagons.push_back(face);
     }
   for (std::size_t i = 0; i < domain.faces.size(); ++i) {
-    const TetFace there = tri.partner(domain.faces[i].hexagons.front());
+    const TetFace here = domain.faces[i].hexagons.front();
+    const TetFace there = tri.partner(here);
     const int partner = domain.gluable[there.tet][there.face];
     domain.faces[i].partner = partner;
-    if (partner < static_cast<int>(i)) domain.faces[i].pairing = inverse(domain.faces[partner].pairing);
+    domain.faces[i].pairing = partner < static_cast<int>(i) ? inverse(domain.faces[partner].pairing)
+                                                            : pairing(tri, skeleton, lengths, domain, here);
   }
 }
 

@@ -20,6 +20,16 @@ double difference(const Matrix4<double>& m, const Matrix4<double>& n) {
   return most / n[3][3];
 }
 
+/// In cells.
+std::array<double, 6> coordinates(const Matrix4<double>& m) {
+  std::array<double, 6> at;
+  for (int k = 0; k < 3; ++k) {
+    at[k] = m[k][3] / m[3][3] * cells_per_unit + shift;
+    at[3 + k] = m[3][k] / m[3][3] * cells_per_unit + shift;
+  }
+  return at;
+}
+
 std::array<int, 6> cell_of(const std::array<double, 6>& at) {
   std::array<int, 6> cell;
   for (int k = 0; k < 6; ++k) cell[k] = static_cast<int>(std::floor(at[k]));
@@ -30,15 +40,6 @@ std::array<int, 6> cell_of(const std::array<double, 6>& at) {
 
 IsometryTable::IsometryTable(const std::vector<Matrix4<double>>& isometries)
     : isometries_(&isometries), slots_(1024, -1) {}
-
-IsometryTable::Coordinates IsometryTable::coordinates(const Matrix4<double>& m) {
-  Coordinates c;
-  for (int k = 0; k < 3; ++k) {
-    c.at[k] = m[k][3] / m[3][3] * cells_per_unit + shift;
-    c.at[3 + k] = m[3][k] / m[3][3] * cells_per_unit + shift;
-  }
-  return c;
-}
 
 std::uint64_t IsometryTable::slot(const std::array<int, 6>& cell) const {
   std::uint64_t h = 0x9e3779b97f4a7c15U;
@@ -63,7 +64,7 @@ int IsometryTable::find_in(const std::array<int, 6>& cell, const Matrix4<double>
 }
 
 int IsometryTable::find(const Matrix4<double>& m) {
-  const auto at = coordinates(m).at;
+  const auto at = coordinates(m);
   const auto home = cell_of(at);
   std::array<int, 6> step{};
   std::array<int, 6> near_border;
@@ -87,7 +88,7 @@ int IsometryTable::find(const Matrix4<double>& m) {
 }
 
 void IsometryTable::enter(int index) {
-  std::uint64_t s = slot(cell_of(coordinates((*isometries_)[index]).at));
+  std::uint64_t s = slot(cell_of(coordinates((*isometries_)[index])));
   while (slots_[s] >= 0) s = (s + 1) & (slots_.size() - 1);
   slots_[s] = index;
 }

@@ -32,10 +32,6 @@ public:
   double closest() const { return closest_; }
 
 private:
-  struct Coordinates {
-    std::array<double, 6> at; ///< in cells
-  };
-  static Coordinates coordinates(const Matrix4<double>& m);
   std::uint64_t slot(const std::array<int, 6>& cell) const;
   int find_in(const std::array<int, 6>& cell, const Matrix4<double>& m);
   void enter(int index);

@@ -71,10 +71,7 @@ Matrix4<Scalar> frame(const VertexVectors<Scalar>& v, const VertexTypes& types) 
       axis[k] = combination(Scalar(1), axis[k], Scalar(-inner(axis[k], axis[j])), axis[j]);
     axis[k] = normalized(axis[k]);
   }
-  Matrix4<Scalar> columns;
-  for (int i = 0; i < 4; ++i)
-    for (int j = 0; j < 4; ++j) columns[i][j] = axis[j][i];
-  return reorthonormalized(columns);
+  return reorthonormalized(matrix_with_columns(axis));
 }
 
 template <class Scalar>
@@ -92,12 +89,11 @@ Vector4<Scalar> face_normal(const VertexVectors<Scalar>& v, int f) {
 
 template <class Scalar>
 Vector4<Scalar> corner(const VertexVectors<Scalar>& v, const VertexTypes& types, int i, int j) {
-  const Scalar w = inner(v[i], v[j]);
   switch (types[i]) {
   case VertexType::hyperideal:
-    return normalized(combination(Scalar(1), v[j], Scalar(-w), v[i]));
-  case VertexType::ideal: // <x, v_i> = -1 and <x, x> = -1
-    return combination(Scalar((1 + norm(types[j]) / (w * w)) / 2), v[i], Scalar(-1 / w), v[j]);
+    return normalized(combination(Scalar(1), v[j], Scalar(-inner(v[i], v[j])), v[i]));
+  case VertexType::ideal:
+    return onto_horosphere(v[j], v[i], norm(types[j]));
   case VertexType::finite:
     break;
   }
@@ -106,11 +102,12 @@ Vector4<Scalar> corner(const VertexVectors<Scalar>& v, const VertexTypes& types,
 
 template <class Scalar>
 Vector4<Scalar> center(const VertexVectors<Scalar>& v, const VertexTypes& types) {
-  Vector4<Scalar> sum{};
+  std::array<Vector4<Scalar>, 12> corners;
+  std::size_t count = 0;
   for (int i = 0; i < 4; ++i)
     for (int j = 0; j < 4; ++j)
-      if (i != j) sum = combination(Scalar(1), sum, Scalar(1), corner(v, types, i, j));
-  return normalized(sum);
+      if (i != j) corners[count++] = corner(v, types, i, j);
+  return centroid(corners);
 }
 
 #define TETRARCH_INSTANTIATE(Scalar)                                                                         \

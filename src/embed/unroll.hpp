@@ -53,17 +53,14 @@ std::vector<UnrolledTriangle<Scalar>> unroll(const Triangulation& tri, const Ske
                                              const Domain<Scalar>& domain, VertexId vertex) {
   const auto triangles = unroll_from(tri, domain, skeleton.preimages(vertex).front());
   std::vector<Vector4<Scalar>> middle;
-  Vector4<Scalar> sum{};
-  for (const auto& triangle : triangles) {
-    const auto c = corners_of(domain, triangle.at);
-    const auto corners =
-        combination(Scalar(1), combination(Scalar(1), c[0], Scalar(1), c[1]), Scalar(1), c[2]);
-    middle.push_back(triangle.copy * normalized(corners));
-    sum = combination(Scalar(1), sum, Scalar(1), middle.back());
-  }
-  const auto nearest = std::max_element(middle.begin(), middle.end(), [&sum](const auto& a, const auto& b) {
-    return inner(a, sum) < inner(b, sum);
-  });
+  middle.reserve(triangles.size());
+  for (const auto& triangle : triangles)
+    middle.push_back(triangle.copy * centroid(corners_of(domain, triangle.at)));
+  const Vector4<Scalar> center_of_all = centroid(middle);
+  const auto nearest =
+      std::max_element(middle.begin(), middle.end(), [&center_of_all](const auto& a, const auto& b) {
+        return inner(a, center_of_all) < inner(b, center_of_all);
+      });
   return unroll_from(tri, domain, triangles[static_cast<std::size_t>(nearest - middle.begin())].at);
 }
 

@@ -11,26 +11,18 @@ namespace tetrarch::scene {
 namespace {
 
 using embed::center;
-using embed::combination;
 using embed::corner;
 using embed::cross;
 using embed::Domain;
 using embed::face_normal;
 using embed::inner;
-using embed::normalized;
 using hyperbolic::VertexType;
 
 constexpr Vector4 geodesic{};
 
-Vector4 middle_of(const std::vector<Vector4>& points) {
-  Vector4 sum{};
-  for (const Vector4& p : points) sum = combination(1.0, sum, 1.0, p);
-  return normalized(sum);
-}
-
 /// Turns the corners counter-clockwise as seen from where the normal points to.
 void orient(Patch& patch) {
-  const Vector4 middle = middle_of(patch.corners);
+  const Vector4 middle = embed::centroid(patch.corners);
   if (inner(cross(middle, patch.corners[0], patch.corners[1]), patch.normal) < 0) return;
   std::reverse(patch.corners.begin(), patch.corners.end());
   // Side k came before corner k+1; now it comes after: the last side stays where it is.
@@ -171,7 +163,7 @@ Body body_of(const Skeleton& skeleton, const embed::BoundaryLift& lift, const em
     for (int s = 0; s < 3; ++s)
       body.arcs.push_back({patch.corners[s], patch.corners[(s + 1) % 3], curve, false, static_cast<int>(k),
                            lift.vertex.value, false});
-    body.middle.push_back(middle_of(patch.corners));
+    body.middle.push_back(embed::centroid(patch.corners));
     body.patches.push_back(std::move(patch));
   }
   return body;

@@ -30,9 +30,7 @@ public:
     // What lies inside a cusp's patch is curved as its sides are.
     curves_.push_back(patch.kind == Patch::Kind::cusp ? patch.normal : Vector4{});
     mesh_.points = patch.corners;
-    Vector4 sum{};
-    for (const Vector4& p : patch.corners) sum = combination(1.0, sum, 1.0, p);
-    const Vector4 middle = normalized(sum);
+    const Vector4 middle = embed::centroid(patch.corners);
     mesh_.points.push_back(midpoint(middle, middle, curves_.back()));
     for (int k = 0; k < n; ++k) pieces_.push_back({{k, (k + 1) % n, n}, {k, n, n}});
   }
@@ -140,9 +138,7 @@ double sagitta(const Point& a, const Point& m, const Point& b) {
 
 Vector4 midpoint(const Vector4& a, const Vector4& b, const Vector4& cusp) {
   const Vector4 m = normalized(combination(1.0, a, 1.0, b));
-  if (!is_horocycle(cusp)) return m;
-  const double w = inner(m, cusp); // towards the ideal point, to where <x, cusp> = -1
-  return combination(-1 / w, m, (1 - 1 / (w * w)) / 2, cusp);
+  return is_horocycle(cusp) ? embed::onto_horosphere(m, cusp) : m;
 }
 
 Tessellation tessellated(const Patch& patch, const TooCoarse& too_coarse, int most_rounds) {

@@ -159,8 +159,8 @@ struct Drawn {
   Piece piece;
 };
 
-Drawn draw(const Embedding& e, const Options& options, const Context& context) {
-  const embed::PieceBounds wanted = wanted_bounds(options);
+Drawn draw(const Embedding& e, const embed::PieceBounds& wanted, const Options& options,
+           const Context& context) {
   const embed::PieceBounds bounds = allowed_bounds(wanted, options.memory);
   Drawn drawn;
   if (options.boundary) {
@@ -201,9 +201,9 @@ std::string picture(const Body& body, const Options& options, const Context& con
 
 Result run_embed(const Options& options, const Context& context) {
   require_output(options.output);
-  wanted_bounds(options); // complains before anything is computed
+  const embed::PieceBounds wanted = wanted_bounds(options); // complains before anything is computed
   const Embedding e = embedded(options.input, options.cusp_area, context);
-  const Drawn drawn = draw(e, options, context);
+  const Drawn drawn = draw(e, wanted, options, context);
   const embed::Residuals r = residuals(e.tri, e.skeleton, e.domain);
   Result result;
   result.warnings = e.warnings;

@@ -54,6 +54,23 @@ Vector4<Scalar> normalized(const Vector4<Scalar>& v) {
   return scaled(Scalar(1 / sqrt(Scalar(abs(inner(v, v))))), v);
 }
 
+/// The point in the middle of points, in the sense of the centroid in R^{3,1}. Law: isometries keep it.
+template <class Points>
+auto centroid(const Points& points) {
+  using Vector = typename Points::value_type;
+  Vector sum{};
+  for (const Vector& p : points)
+    for (int k = 0; k < 4; ++k) sum[k] += p[k];
+  return normalized(sum);
+}
+
+/// Where the line from x to the centre of v's horosphere meets that horosphere; `norm` is <x,x>: -1, 0 or 1.
+template <class Scalar>
+Vector4<Scalar> onto_horosphere(const Vector4<Scalar>& x, const Vector4<Scalar>& v, int norm = -1) {
+  const Scalar w = inner(x, v); // <result, v> = -1 and <result, result> = -1
+  return combination(Scalar((1 + norm / (w * w)) / 2), v, Scalar(-1 / w), x);
+}
+
 /// The vector with <result, x> = det(u, v, w, x): perpendicular to the three.
 template <class Scalar>
 Vector4<Scalar> cross(const Vector4<Scalar>& u, const Vector4<Scalar>& v, const Vector4<Scalar>& w) {
@@ -67,6 +84,14 @@ Matrix4<Scalar> identity() {
   Matrix4<Scalar> m{};
   for (int i = 0; i < 4; ++i)
     for (int j = 0; j < 4; ++j) m[i][j] = Scalar(i == j ? 1 : 0);
+  return m;
+}
+
+template <class Scalar>
+Matrix4<Scalar> matrix_with_columns(const std::array<Vector4<Scalar>, 4>& columns) {
+  Matrix4<Scalar> m;
+  for (int i = 0; i < 4; ++i)
+    for (int j = 0; j < 4; ++j) m[i][j] = columns[j][i];
   return m;
 }
 
