@@ -52,9 +52,9 @@ TEST_CASE("What is no disk is refused by name", "[bundle]") {
   CHECK(refusal(3, {{0, 1, 1}}) == "triangle 0 has a vertex twice");
   CHECK(refusal(4, {{0, 1, 2}}) == "vertex 3 is in no triangle");
   CHECK(refusal(4, {{0, 1, 2}, {1, 2, 3}}) ==
-        "triangles 0 and 1, edge 1-2: both run along it in the same direction, or more than two share it");
+        "triangles 0 and 1, edge 1-2: both run along it in the same direction");
   CHECK(refusal(5, {{0, 1, 2}, {1, 0, 3}, {1, 0, 4}}) ==
-        "triangles 1 and 2, edge 1-0: both run along it in the same direction, or more than two share it");
+        "triangles 0 and 2, edge 0-1: more than two triangles share it");
   CHECK(refusal(6, {{0, 1, 2}, {3, 4, 5}}) == "no disk: the triangles are not connected through edges");
   CHECK(refusal(5, {{0, 1, 2}, {2, 3, 4}}) == "no disk: the triangles are not connected through edges");
   // The boundary of a tetrahedron; an annulus of six triangles; a disk of five pinched at vertex 0.
