@@ -48,6 +48,14 @@ int split_face(MarkedSurface& surface, int triangle) {
   return surface.surface.split_face(triangle, &surface.mark, &surface.origin);
 }
 
+void turn_triangles(MarkedSurface& surface, const std::vector<int>& sign) {
+  std::vector<char> over(sign.size(), 0);
+  for (std::size_t t = 0; t < sign.size(); ++t) over[t] = static_cast<char>(sign[t] < 0);
+  surface.surface.turn(over);
+  for (int t = 0; t < surface.surface.triangle_count(); ++t)
+    if (over[t]) std::swap(surface.mark[Side(t, 1).value], surface.mark[Side(t, 2).value]);
+}
+
 Surface cut_open(const MarkedSurface& surface) {
   const Surface& whole = surface.surface;
   Table<Side, Side> mate(whole.side_count());

@@ -158,6 +158,27 @@ void Surface::unglue(Side s) {
   if (!turned_.empty()) turned_[s.value] = turned_[m.value] = 0;
 }
 
+void Surface::turn(const std::vector<char>& over) {
+  const auto renamed = [&](Side s) {
+    return s.exists() && over[s.triangle()] && s.corner() != 0 ? Side(s.triangle(), 3 - s.corner()) : s;
+  };
+  std::vector<Side> mate(mate_.size());
+  std::vector<char> turned(mate_.size(), 0);
+  for (int k = 0; k < side_count(); ++k) {
+    const Side s(k);
+    const Side m = mate_[k];
+    mate[renamed(s).value] = renamed(m);
+    if (m.exists())
+      turned[renamed(s).value] =
+          static_cast<char>(is_turned(s) != (over[s.triangle()] != over[m.triangle()]));
+  }
+  for (int t = 0; t < triangle_count(); ++t)
+    if (over[t]) std::swap(triangles_[t][1], triangles_[t][2]);
+  mate_ = std::move(mate);
+  if (std::find(turned.begin(), turned.end(), 1) == turned.end()) turned.clear();
+  turned_ = std::move(turned);
+}
+
 int Surface::add_triangle(Triangle corners, std::vector<int>* carried, std::vector<int>* origin, int like) {
   triangles_.push_back(corners);
   mate_.resize(static_cast<std::size_t>(side_count()));

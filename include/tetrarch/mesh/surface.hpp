@@ -61,6 +61,10 @@ public:
   /// Takes the gluing of this edge away. Vertices keep their names.
   void unglue(Side s);
 
+  /// Turns triangles over, those for which `over` is not 0: corners 1 and 2 are exchanged, and with them
+  /// sides 1 and 2. O(n).
+  void turn(const std::vector<char>& over);
+
   /// Puts a vertex on the edge of side s and joins it with the apexes. The halves of a side keep its mate and
   /// direction: s becomes its first half. Returns the new vertex. `carried`, a number for each side, grows:
   /// both halves of a side inherit its number, new sides get 0. `origin`, a number for each triangle,

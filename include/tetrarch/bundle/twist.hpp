@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+/// From a surface cut into disks to a circle bundle of any Euler number.
+///
+/// Any cut graph serves, whose complement is disks: on so many of its edges as are needed the fibres are
+/// twisted by one step, and the shifts are found as a flow on the graph. Where the shifts are not free the
+/// flow runs along a spanning tree, towards a root at which it drains away in whole turns. Canonical loops
+/// and equators, on which the dissertation builds, are cut graphs; there the same twists and shifts come out
+/// as in its Definitions 6.3.1 (but for a constant) and 7.3.1. Source: Yin, chapters 6 and 7, generalised.
+
+#include "tetrarch/bundle/circle_bundle.hpp"
+#include "tetrarch/mesh/marked_surface.hpp"
+
+#include <optional>
+#include <vector>
+
+namespace tetrarch::bundle {
+
+/// Turns triangles over so that mates are turned on cut edges only, and only where they must be. Throws
+/// `PreconditionError` if a part of the cut surface is not orientable. O(n).
+void orient_parts(mesh::MarkedSurface& cut);
+
+/// Puts a vertex into each part of the cut surface that has none inside; returns how many. O(n).
+int give_inner_vertices(mesh::MarkedSurface& cut);
+
+/// One side of each cut edge, the one of positive mark, by curve and then by number. O(n log n).
+std::vector<Side> cut_edges(const mesh::MarkedSurface& cut);
+
+/// The twist of each side, mates alike: |total| cut edges get -1 or +1 such that the bundle of `total` = e *
+/// N turns by that much; those of higher marks first. Throws `PreconditionError` if there are not so many.
+/// O(n).
+std::vector<int> spread_twist(const mesh::MarkedSurface& cut, int total);
+
+/// Splits cut edges, one after the other, until there are at least `edges`; returns how many splits. The
+/// curves of higher marks come first.
+int split_cut_edges(mesh::MarkedSurface& cut, int edges);
+
+/// Shifts with the given twists on a connected cut graph, such that they cancel around every vertex but one,
+/// around which they add up to the sum of the twists; at the root's end of edges outside the spanning tree
+/// the shift is 0. O(n).
+std::vector<Shift> shifts_of(const mesh::MarkedSurface& cut, const std::vector<int>& twist, int root);
+
+/// The values that twists ask for on cut edges (+1 on the side of positive mark where there is a choice), and
+/// on the rest of each covering disk a cutting pattern. `boundary`, if given, has a value for each boundary
+/// side of the surface, in the order of `boundary_sides`; otherwise they are free. The obstruction is told by
+/// the triangles of the surface. O(n).
+struct Values {
+  std::vector<std::int8_t> value; ///< of each side
+  std::optional<Obstruction> obstruction;
+};
+Values values_of(const mesh::MarkedSurface& cut, const std::vector<int>& twist,
+                 const std::optional<BoundaryValues>& boundary = std::nullopt);
+
+/// The boundary sides of the surface (where nothing is cut), curve by curve, as the boundary runs.
+std::vector<Side> boundary_sides(const mesh::Surface& surface);
+
+} // namespace tetrarch::bundle
