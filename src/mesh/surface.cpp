@@ -329,6 +329,29 @@ Parts parts(const Surface& surface) {
   return out;
 }
 
+std::vector<Part> split(const Surface& surface, const Parts& parts) {
+  std::vector<Part> out(static_cast<std::size_t>(parts.count));
+  std::vector<int> local(static_cast<std::size_t>(surface.triangle_count()));
+  for (int t = 0; t < surface.triangle_count(); ++t) {
+    std::vector<int>& triangles = out[parts.of[t]].triangles;
+    local[t] = static_cast<int>(triangles.size());
+    triangles.push_back(t);
+  }
+  for (Part& part : out) {
+    Table<Side, Side> mate(3 * static_cast<int>(part.triangles.size()));
+    std::vector<char> turned(static_cast<std::size_t>(mate.size()), 0);
+    for (int k = 0; k < mate.size(); ++k) {
+      const Side s = part.in_whole(Side(k));
+      if (surface.is_boundary(s)) continue;
+      const Side m = surface.mate(s);
+      mate[Side(k)] = Side(local[m.triangle()], m.corner());
+      turned[k] = static_cast<char>(surface.is_turned(s));
+    }
+    part.surface = Surface(mate, std::move(turned));
+  }
+  return out;
+}
+
 std::vector<int> orientation(const Surface& surface) {
   std::vector<int> sign(static_cast<std::size_t>(surface.triangle_count()), 1);
   visit_parts(surface, [&](int t, Side through) {

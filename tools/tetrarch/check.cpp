@@ -5,10 +5,13 @@
 
 #include "tetrarch/core/error.hpp"
 #include "tetrarch/format/mesh_files.hpp"
+#include "tetrarch/mesh/boundary_loops.hpp"
 #include "tetrarch/mesh/repair.hpp"
-#include "tetrarch/mesh/validate.hpp"
+#include "tetrarch/mesh/validate_surface.hpp"
 
 #include <CLI/CLI.hpp>
+#include <array>
+#include <charconv>
 #include <memory>
 
 namespace tetrarch::program {
@@ -64,10 +67,52 @@ std::string findings_text(const mesh::Report& report, const format::Soup& soup) 
   return text;
 }
 
+/// Six digits, in every locale.
+std::string rounded(double x) {
+  std::array<char, 32> digits{};
+  const auto end =
+      std::to_chars(digits.data(), digits.data() + digits.size(), x, std::chars_format::general, 6);
+  return {digits.data(), end.ptr};
+}
+
+/// Adds what a surface without fatal findings is. What can be mended is taken as mended: of duplicates and
+/// the like there is no type. Vertices are counted from 0, so that v17 asks for the same loop elsewhere.
+void describe_surface(Result& result, const format::Soup& found) {
+  format::Soup soup = mesh::repair(found).soup;
+  const auto vertices = static_cast<int>(soup.points.size());
+  const mesh::TriangleMesh mesh{std::move(soup.points), mesh::Surface(vertices, std::move(soup.triangles))};
+  const int components = mesh::parts(mesh.surface).count;
+  result.json["components"] = components;
+  result.json["type"] = components == 1 ? Json(mesh::type_of(mesh.surface).str()) : Json();
+  result.text +=
+      components == 1 ? mesh::type_of(mesh.surface).str() + "\n" : counted(components, "component") + "\n";
+  Json list = Json::array();
+  for (const mesh::BoundaryLoop& loop : mesh::boundary_loops(mesh)) {
+    Json names = Json::array();
+    for (const mesh::SideEnd e : loop.sides)
+      names.push_back(format::point_number(soup, mesh.surface.vertex(e)) - soup.first_number);
+    const std::size_t index = list.size();
+    result.text += "boundary loop " + std::to_string(index) + ": " +
+                   counted(static_cast<long long>(names.size()), "edge") + ", length " +
+                   rounded(loop.length) + ", area " + rounded(loop.area) + ", through v" +
+                   names.front().dump() + "\n";
+    list.push_back({{"index", index}, {"length", loop.length}, {"area", loop.area}, {"vertices", names}});
+  }
+  result.json["boundary_loops"] = std::move(list);
+}
+
+Json counts_json(const mesh::Report& report) {
+  Json counts = Json::object();
+  for (int k = 0; k < mesh::kind_count; ++k) {
+    const auto kind = static_cast<mesh::Kind>(k);
+    if (report.count(kind) > 0) counts[std::string(mesh::name_of(kind))] = report.count(kind);
+  }
+  return counts;
+}
+
 Result check(const Options& options, const Context&) {
   format::Soup soup = format::read_soup_file(options.input);
-  if (soup.tetrahedra.empty() && !soup.triangles.empty())
-    throw InputError({options.input, 0}, "a surface: there are no tetrahedra to check");
+  const bool is_surface = soup.tetrahedra.empty() && !soup.triangles.empty();
   Result result;
   result.warnings = soup.warnings;
   Json repairs = Json::array();
@@ -79,24 +124,22 @@ Result check(const Options& options, const Context&) {
       result.text += "repaired: " + done + "\n";
     }
   }
-  const mesh::Report report = mesh::validate(soup, options.listed);
+  const mesh::Report report =
+      is_surface ? mesh::validate_surface(soup, options.listed) : mesh::validate(soup, options.listed);
   const bool good = report.count(mesh::Severity::fatal) == 0;
   result.status = good ? Status::done : Status::proved_no;
-  Json counts = Json::object();
-  for (int k = 0; k < mesh::kind_count; ++k) {
-    const auto kind = static_cast<mesh::Kind>(k);
-    if (report.count(kind) > 0) counts[std::string(mesh::name_of(kind))] = report.count(kind);
-  }
-  result.json = {{"tetrahedra", soup.tetrahedra.size()},
+  const std::size_t elements = is_surface ? soup.triangles.size() : soup.tetrahedra.size();
+  result.json = {{is_surface ? "triangles" : "tetrahedra", elements},
                  {"vertices", soup.points.size()},
                  {"fatal", report.count(mesh::Severity::fatal)},
-                 {"counts", std::move(counts)},
+                 {"counts", counts_json(report)},
                  {"findings", findings_json(report)},
                  {"repairs", std::move(repairs)}};
   result.text += findings_text(report, soup) +
-                 counted(static_cast<long long>(soup.tetrahedra.size()), "tetrahedron") + " on " +
+                 counted(static_cast<long long>(elements), is_surface ? "triangle" : "tetrahedron") + " on " +
                  counted(static_cast<long long>(soup.points.size()), "vertex") +
                  (good ? ": a manifold\n" : ": no manifold\n");
+  if (is_surface && good) describe_surface(result, soup);
   if (!options.output.empty()) {
     const auto format = format::mesh_format_for_extension(options.output);
     if (!format) throw InputError({options.output, 0}, "no mesh format has this extension");
@@ -109,11 +152,12 @@ Result check(const Options& options, const Context&) {
 
 Run declare_check(CLI::App& app) {
   const auto options = std::make_shared<Options>();
-  app.add_option("MESH", options->input, "a mesh of tetrahedra")->required();
+  app.add_option("MESH", options->input, "a mesh of tetrahedra, or a surface")->required();
   app.add_option("--listed", options->listed, "so many findings of each kind are told in full")
       ->check(CLI::Range(0, 1'000'000))
       ->capture_default_str();
-  app.add_flag("--repair", options->repair, "mend orientation, unused vertices and duplicates first");
+  app.add_flag("--repair", options->repair,
+               "mend orientation, unused vertices, duplicate and degenerate elements first");
   app.add_option("-o,--output", options->output,
                  "write the mesh, repaired or not, in the format of the extension");
   return [options](const Context& context) { return check(*options, context); };

@@ -3,10 +3,17 @@
 
 /// What can be mended in a soup without asking what was meant.
 ///
-/// A tetrahedron of negative volume gets its last two vertices exchanged; of several tetrahedra on the same
-/// four vertices the first is kept; points that no tetrahedron names are removed. Law: of the findings of
-/// `validate` on the result, none is repairable, unless an index is out of range; then unused points are
-/// kept, as renumbering would make another point of it.
+/// Of a solid: a tetrahedron of negative volume gets its last two vertices exchanged; of several tetrahedra
+/// on the same four vertices the first is kept; points that no tetrahedron names are removed.
+///
+/// Of a surface, which is a soup of triangles alone: a triangle that names a vertex twice is removed (what is
+/// left of it is an edge, at which its neighbours then meet); of several triangles on the same three vertices
+/// the first is kept; each orientable component gets the orientation that most of its triangles have, of two
+/// halves that of the first triangle; points that no triangle names are removed.
+///
+/// Law: of the findings of `validate` or `validate_surface` on the result, none is repairable, unless an
+/// index is out of range; then unused points are kept, as renumbering would make another point of it. So a
+/// second repair does nothing. What is fatal stays fatal: nothing is removed or cut to make a manifold.
 
 #include "tetrarch/format/soup.hpp"
 

@@ -106,6 +106,15 @@ struct Parts {
 };
 Parts parts(const Surface& surface);
 
+/// One part of a surface, and what its triangles are there.
+struct Part {
+  Surface surface;
+  std::vector<int> triangles;
+  Side in_whole(Side s) const { return {triangles[static_cast<std::size_t>(s.triangle())], s.corner()}; }
+};
+/// Part k is the k-th of `parts`, its triangles in their order. O(n).
+std::vector<Part> split(const Surface& surface, const Parts& parts);
+
 /// For each triangle +1 or -1 such that mates are turned exactly where the signs differ; the first triangle
 /// of each part gets +1. Empty if the surface is not orientable. O(n).
 std::vector<int> orientation(const Surface& surface);

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
-/// What is wrong with a soup of tetrahedra, all of it, by the numbers that the file uses.
+/// What is wrong with a soup of tetrahedra, all of it, by the numbers that the file uses. Kinds that only
+/// surfaces have are explained in mesh/validate_surface.hpp.
 ///
 /// | kind                | severity   | what was seen                                                |
 /// | ------------------- | ---------- | ------------------------------------------------------------ |
@@ -37,19 +38,23 @@ namespace tetrarch::mesh {
 
 enum class Kind : std::uint8_t {
   no_tetrahedra,
+  no_triangles,
   not_finite,
   index_out_of_range,
   repeated_vertex,
+  degenerate,
   duplicate,
   face_shared,
   non_manifold_edge,
   non_manifold_vertex,
   inverted,
+  turned,
   flat,
+  not_orientable,
   unused_vertex,
   several_components,
 };
-inline constexpr int kind_count = 12;
+inline constexpr int kind_count = 16;
 
 enum class Severity : std::uint8_t { fatal, repairable, remark };
 
@@ -59,7 +64,7 @@ Severity severity_of(Kind kind);
 
 struct Finding {
   Kind kind;
-  long long number = 0; ///< of the tetrahedron or vertex, as the file counts; 0 for the mesh as a whole
+  long long number = 0; ///< of the element or vertex, as the file counts; 0 for the mesh as a whole
   int line = 0;         ///< 0: not known
   std::string text;     ///< a sentence without place: "tetrahedron 7 names vertex 12, but there are 8"
 };

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+/// The boundary of a triangle mesh, loop by loop, from the longest on.
+///
+///       .-----------.       An annulus has two loops: 0 is the outer one, if it is longer. People ask for a
+///      /    .--.     \      loop by its number or as v17: the loop through vertex 17.
+///     0    1    |     |
+///      \    '--'     /
+///       '-----------'
+
+#include "tetrarch/mesh/triangle_mesh.hpp"
+
+#include <vector>
+
+namespace tetrarch::mesh {
+
+struct BoundaryLoop {
+  /// The ends from which the sides are walked through, as `boundary_curves` has them.
+  std::vector<SideEnd> sides;
+  double length = 0;
+  /// Of the vector area |sum p x q| / 2 over the edges pq: what a flat loop encloses, and for any loop what
+  /// its largest shadow does.
+  double area = 0;
+};
+
+/// Numbered from 0 by decreasing length; of equal ones the one with the least vertex comes first. O(n).
+std::vector<BoundaryLoop> boundary_loops(const TriangleMesh& mesh);
+
+/// The index of the loop through a vertex; -1 if the vertex is not on the boundary. O(size of all loops).
+[[nodiscard]] int loop_through(const std::vector<BoundaryLoop>& loops, const Surface& surface, int vertex);
+
+} // namespace tetrarch::mesh

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+/// A triangle mesh: a connected surface, and a point in space for each of its vertices.
+///
+/// The promise: indices are in range, every point is used, the three of a triangle differ, no two triangles
+/// name the same three, at most two share an edge, and the triangles around a vertex make one fan.
+/// Coordinates are finite. Mates are turned only where the surface is not orientable. That it does not meet
+/// itself in space is not promised.
+///
+/// Whoever reads a file gets a soup, which promises nothing; `build_surface` is the way from it to a mesh,
+/// mesh/validate_surface.hpp tells all that stands in that way, and mesh/repair.hpp mends some of it.
+
+#include "tetrarch/format/soup.hpp"
+#include "tetrarch/mesh/surface.hpp"
+#include "tetrarch/mesh/validate_surface.hpp"
+
+#include <array>
+#include <vector>
+
+namespace tetrarch::mesh {
+
+struct TriangleMesh {
+  std::vector<std::array<double, 3>> points;
+  Surface surface;
+};
+
+/// The mesh of a valid soup: triangle t and vertex v are those of the soup, and corners are in its order,
+/// unless the surface is not orientable; then triangles may be turned (their last two corners exchanged) so
+/// that fewer mates are. Throws InputError with the first fatal finding of `validate_surface` and the number
+/// of the others, where several components are fatal too; then with the first repairable one. O(n log n) for
+/// n triangles in the worst case, in practice linear.
+TriangleMesh build_surface(format::Soup soup);
+/// The same with what `validate_surface(soup, n)` said for some n >= 1, for those who want the report too.
+TriangleMesh build_surface(format::Soup soup, const Report& report);
+
+} // namespace tetrarch::mesh

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+/// What is wrong with a soup of triangles, all of it, by the numbers that the file uses.
+///
+/// | kind                | severity   | what was seen                                                    |
+/// | ------------------- | ---------- | ---------------------------------------------------------------- |
+/// | no_triangles        | fatal      | the soup holds none, or degenerate ones only                     |
+/// | not_finite          | fatal      | a coordinate is infinite or no number                            |
+/// | index_out_of_range  | fatal      | a triangle names a point that is not there                       |
+/// | degenerate          | repairable | a triangle names a point twice                                   |
+/// | duplicate           | repairable | a triangle names the same three points as an earlier one         |
+/// | non_manifold_edge   | fatal      | three or more different triangles lie on one edge                |
+/// | non_manifold_vertex | fatal      | the triangles around a vertex on no such edge fall apart         |
+/// | turned              | repairable | a triangle is turned against most of an orientable component     |
+/// | flat                | remark     | the area is zero, decided exactly                                |
+/// | not_orientable      | remark     | a component is not orientable                                    |
+/// | unused_vertex       | repairable | a point is in no triangle                                        |
+/// | several_components  | remark     | the triangles are not all connected through edges                |
+///
+///        .---.---.       Two triangles may run along their edge in the same direction: one of them is turned
+///       / \ / \ /|       then, and the edge is none the less a manifold's. Only where three or more
+///      .---.---. |       different ones lie on an edge, however turned, nothing is glued there, and no
+///           \ \ \|       orientation passes.
+///            `-'-'
+///
+/// Boundary is no fault, nor is it told here: mesh/boundary_loops.hpp lists it. Triangles at fault by
+/// themselves (out of range, degenerate, duplicates) are left out when edges and vertices are looked at.
+
+#include "tetrarch/mesh/validate.hpp"
+
+namespace tetrarch::mesh {
+
+/// Everything that is wrong with the triangles of `soup`; of each kind, the first `listed` are told in full.
+/// Of the turned triangles, fewest for each component (of two halves, the one without the first triangle),
+/// those with a neighbour that is not turned come first. Nothing is thrown. O(n log n) in the worst case, in
+/// practice linear; about 100 bytes a triangle.
+Report validate_surface(const format::Soup& soup, int listed = 10);
+
+} // namespace tetrarch::mesh

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "tetrarch/mesh/triangle_mesh.hpp"
+
+#include "findings.hpp"
+#include "orient.hpp"
+
+#include <utility>
+
+namespace tetrarch::mesh {
+namespace {
+
+int turned_count(const Surface& surface) {
+  int count = 0;
+  for (int k = 0; k < surface.side_count(); ++k) count += surface.is_turned(Side(k));
+  return count;
+}
+
+/// The surface with triangles turned along a tree, if that leaves fewer turned mates than there are.
+Surface with_few_turned(Surface surface) {
+  const Signs signs = signs_of(surface);
+  std::vector<Surface::Triangle> triangles = surface.triangles();
+  for (std::size_t t = 0; t < triangles.size(); ++t)
+    if (signs.sign[t] < 0) std::swap(triangles[t][1], triangles[t][2]);
+  Surface other(surface.vertex_count(), std::move(triangles));
+  if (turned_count(other) < turned_count(surface)) return other;
+  return surface;
+}
+
+} // namespace
+
+TriangleMesh build_surface(format::Soup soup) {
+  const Report report = validate_surface(soup, 1);
+  return build_surface(std::move(soup), report);
+}
+
+TriangleMesh build_surface(format::Soup soup, const Report& report) {
+  refuse(soup, report,
+         [](Kind kind) { return severity_of(kind) == Severity::fatal || kind == Kind::several_components; });
+  refuse(
+      soup, report, [](Kind kind) { return severity_of(kind) == Severity::repairable; },
+      "; --repair mends this");
+  const int vertices = static_cast<int>(soup.points.size());
+  Surface surface(vertices, std::move(soup.triangles));
+  if (report.count(Kind::not_orientable) > 0) surface = with_few_turned(std::move(surface));
+  return {std::move(soup.points), std::move(surface)};
+}
+
+} // namespace tetrarch::mesh
