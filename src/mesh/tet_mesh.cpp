@@ -2,9 +2,8 @@
 #include "tetrarch/mesh/tet_mesh.hpp"
 
 #include "face_sweep.hpp"
+#include "findings.hpp"
 #include "gluing.hpp"
-
-#include "tetrarch/core/error.hpp"
 
 namespace tetrarch::mesh {
 namespace {
@@ -22,17 +21,7 @@ TetMesh build(format::Soup soup) {
 }
 
 TetMesh build(format::Soup soup, const Report& report) {
-  const Finding* first = nullptr;
-  std::int64_t count = 0;
-  for (const Finding& finding : report.findings) {
-    if (!keeps_from_meshing(finding.kind)) continue;
-    if (first == nullptr) first = &finding;
-    count += report.count(finding.kind);
-  }
-  if (first != nullptr) {
-    const std::string others = count > 1 ? " (and " + std::to_string(count - 1) + " more)" : "";
-    throw InputError(place_of(*first, soup), first->text + others);
-  }
+  refuse(soup, report, keeps_from_meshing);
   return {std::move(soup.points), std::move(soup.tetrahedra)};
 }
 

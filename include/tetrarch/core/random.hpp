@@ -22,6 +22,8 @@ public:
   int below(int bound) {
     return static_cast<int>(((next() >> 32U) * static_cast<std::uint64_t>(bound)) >> 32U);
   }
+  /// In [0, 1), a multiple of 2^-53.
+  double uniform() { return static_cast<double>(next() >> 11U) * 0x1p-53; }
 
 private:
   std::uint64_t state_;

@@ -66,9 +66,9 @@ public:
   void turn(const std::vector<char>& over);
 
   /// Puts a vertex on the edge of side s and joins it with the apexes. The halves of a side keep its mate and
-  /// direction: s becomes its first half. Returns the new vertex. `carried`, a number for each side, grows:
-  /// both halves of a side inherit its number, new sides get 0. `origin`, a number for each triangle,
-  /// likewise. O(1).
+  /// direction; s becomes its first half (unless its mate is the side before it: then that half is in a new
+  /// triangle). Returns the new vertex. `carried`, a number for each side, grows: both halves of a side
+  /// inherit its number, new sides get 0. `origin`, a number for each triangle, likewise. O(1).
   int split_edge(Side s, std::vector<int>* carried = nullptr, std::vector<int>* origin = nullptr);
   /// Puts a vertex into a triangle and joins it with the corners. As above. O(1).
   int split_face(int triangle, std::vector<int>* carried = nullptr, std::vector<int>* origin = nullptr);

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+/// Canonical loops: 2g loops through a base point that open a closed surface of genus g to a polygon.
+///
+///            1
+///         ________          The boundary of the polygon, which lies to its left, reads
+///     -4 /        \ 2         1 2 -1 -2 3 4 -3 -4 ...
+///       /          \        All 4g corners are copies of the base point; the loops meet nowhere else, and
+///       none
+///    -3 \          / -1     meets itself. Side k runs along loop k, side -k back along its other bank.
+///        \________/
+///      4            -2 ...
+///
+/// Handle by handle, in the surface cut open so far, whose boundary is one curve of finished commutators:
+///   1. The discrete cut locus of a corner x between two commutators: grow a disk from x, prune the edges
+///      where it meets itself; arcs remain. Of all such corners the one where step 2 is cheapest.
+///   2. A shortest loop a from x across one of them that is *linked* with another (they alternate on the
+///      boundary of the disk), so that a does not cut the surface in two.
+///   3. A shortest path b from the copy of x that lies on a's own boundary curve to one of the others. The
+///      boundary word W becomes W b a b^-1 a^-1: the next commutator.
+/// Loops that would touch are kept apart by splitting edges.
+/// Source: Yin, section 7.1 (what is to be found; it does not say how); Erickson and Har-Peled, "Optimally
+/// cutting a surface into a disk" (2004) (the cut locus).
+
+#include "tetrarch/mesh/marked_surface.hpp"
+
+#include <string>
+#include <vector>
+
+namespace tetrarch::mesh {
+
+struct CanonicalLoops {
+  int base = 0;            ///< a vertex
+  std::vector<int> length; ///< of loop k, at [k-1], in edges
+  int edge_splits = 0;     ///< that were needed to keep loops apart
+  int face_splits = 0;
+};
+
+/// Marks canonical loops 1 .. 2g on a closed oriented surface without marks, through vertex `base`; without
+/// one, through a vertex where loops are short. Throws `PreconditionError` unless the surface is connected,
+/// closed, unmarked, of positive genus, and no mates are turned. O(g^2 n log n) for n triangles in the end.
+CanonicalLoops mark_canonical_loops(MarkedSurface& surface, int base = -1);
+
+/// The marks that the boundary of `cut_open(surface)` reads, one for each run of equal marks, from the start
+/// of the first run of least positive mark. Throws `PreconditionError` unless it has exactly one boundary
+/// curve and no mates are turned. O(n).
+std::vector<int> boundary_word(const MarkedSurface& surface);
+
+/// What is wrong with the loops marked, for audits; empty if they are canonical. O(n).
+std::string why_not_canonical(const MarkedSurface& surface);
+
+/// The edges of curve `mark`. O(n).
+int length_of(const MarkedSurface& surface, int mark);
+
+/// Splits edges of curve `mark`, always the longest (without points: the least often halved; of equal ones
+/// the side of least number), until it has at least so many. Returns the number of splits. Throws
+/// `PreconditionError` if there is no such curve. O(n + splits * log n).
+int lengthen(MarkedSurface& surface, int mark, int edges);
+
+} // namespace tetrarch::mesh

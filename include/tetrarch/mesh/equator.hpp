@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+/// Equators: simple closed curves of edges that halve a sphere.
+///
+/// A disk grows over the sphere from a seed, triangle by triangle, and its rim is a simple closed curve all
+/// the while. A triangle with two sides on the rim goes first, which shortens the rim; else the one whose
+/// apex is nearest to the seed:
+///
+///            *                      *
+///           / \                    / \            disk below; one edge more,
+///     --*--*---*--*--   =>   --*--*   *--*--       and back again at the next triangle: one less
+///
+/// So the disk grows in rows. Of all rims from all seeds the equator is one with triangles as evenly on both
+/// sides as an equator of so few edges allows, or one a little less even and shorter.
+
+#include "tetrarch/mesh/marked_surface.hpp"
+
+#include <array>
+
+namespace tetrarch::mesh {
+
+struct Equator {
+  int edges = 0;                  ///< of the curve; more than wanted if no shorter one was found
+  int edge_splits = 0;            ///< that lengthened it
+  int face_splits = 0;            ///< that gave a disk its interior vertex
+  std::array<int, 2> triangles{}; ///< of the two disks
+};
+
+/// Marks an equator (1) of so many edges on a sphere without marks, such that both disks have an interior
+/// vertex; its side with mark +1 is that of the disk with triangle 0. The curve found may have fewer edges,
+/// then some are split, or more, where none so short was found: on a simplicial mesh none has less than
+/// three. Throws `PreconditionError` unless the surface is a sphere without marks. `seeds` triangles are
+/// tried, far from each other. O(seeds * n log n).
+Equator mark_equator(MarkedSurface& sphere, int edges, int seeds = 8);
+
+} // namespace tetrarch::mesh

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+/// Paths laid through a surface from one point of its cuts to another, touching them nowhere else.
+///
+///        *-----------*-----*          * vertices on cuts or boundary, which a path must not touch
+///       / \         / \   /
+///      /   \       /   \ /            o free vertices
+///   A *-----m-----o-----* B
+///      \   / \   / \   /              From A to B across the middle m of a *chord*, an edge inside that
+///       \ /   \ /   \ /               joins two forbidden vertices, over a free vertex, across a chord
+///       again.
+///        *-----*-----*
+///
+/// A path is a shortest one, where every chord crossed costs as much as ten edges; then the chords are split.
+
+#include "tetrarch/mesh/marked_surface.hpp"
+
+#include <functional>
+#include <vector>
+
+namespace tetrarch::mesh {
+
+/// A vertex where the boundary of a surface cut open passes.
+struct Corner {
+  SideEnd end;    ///< of the side after it, or any end there if it is inside
+  int before = 0; ///< the mark of the side that the boundary comes along; 0: boundary of the surface itself
+  int after = 0;
+};
+
+/// The corners of `open`, which is `cut_open(surface)`, in the order of the sides after them. Its mates must
+/// not be turned. O(n).
+std::vector<Corner> corners(const MarkedSurface& surface, const Surface& open);
+
+/// The length of the shortest path from `from` to each vertex of `open`. O(n log n).
+std::vector<double> path_lengths(const MarkedSurface& surface, const Surface& open,
+                                 const std::vector<SideEnd>& from);
+
+struct SplitCount {
+  int edges = 0;
+  int faces = 0;
+};
+
+/// Where a path may start or stop, found in `cut_open(surface)`: splits rename sides, so it is asked again.
+using Places = std::function<std::vector<SideEnd>(const Surface& open)>;
+
+/// Lays a shortest path from one of `from` to one of `to` and marks it with m, so that the path runs along
+/// its sides of mark m. Throws `PreconditionError` if they are on different parts of the surface cut open.
+/// Returns what had to be split. O(n log n).
+SplitCount lay_path(MarkedSurface& surface, int m, const Places& from, const Places& to);
+
+} // namespace tetrarch::mesh
