@@ -13,13 +13,11 @@ namespace tetrarch::bundle {
 namespace {
 
 using mesh::SideEnd;
-using mesh::Surface;
 
 /// A corner of a prism: the place of its column in the order r0, r1, r2, and 0 below or 1 above.
 struct PrismCorner {
   int place;
   int above;
-  friend bool operator==(PrismCorner, PrismCorner) = default;
 };
 
 /// The three tetrahedra of a prism.
@@ -89,8 +87,7 @@ private:
   Order order_of(int t) const {
     std::array<int, 3> earlier{};
     for (const Side s : sides_of(t)) {
-      const int value = recipe_.value[s.value];
-      ++earlier[value > 0 ? s.previous().corner() : s.next().corner()];
+      ++earlier[recipe_.value[s.value] > 0 ? s.previous().corner() : s.next().corner()];
     }
     Order order{};
     for (std::uint8_t c = 0; c < 3; ++c) {

@@ -21,14 +21,14 @@ void require_oriented(const Disk& disk) {
 
 } // namespace
 
-Disk::Disk(int vertices, std::vector<Triangle> triangles) : Surface(vertices, std::move(triangles)) {
+Disk::Disk(Surface surface) : Surface(std::move(surface)) {
   require_oriented(*this);
   find_boundary();
 }
 
-Disk::Disk(const Table<Side, Side>& mate) : Surface(mate) {
-  find_boundary();
-}
+Disk::Disk(int vertices, std::vector<Triangle> triangles) : Disk(Surface(vertices, std::move(triangles))) {}
+
+Disk::Disk(const Table<Side, Side>& mate) : Disk(Surface(mate)) {}
 
 void Disk::find_boundary() {
   if (triangle_count() == 0) throw InputError("a disk needs a triangle");

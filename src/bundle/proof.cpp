@@ -10,7 +10,6 @@ namespace tetrarch::bundle {
 namespace {
 
 using mesh::SideEnd;
-using mesh::Surface;
 
 /// What is found wrong, thrown inside this file only.
 struct Failure {
@@ -220,7 +219,7 @@ private:
           edge = ends[at].edge[ends[at].edge[0] == edge ? 1 : 0];
         } while (at != start);
         if (length != bundle_.fiber)
-          throw Failure{name + " has " + std::to_string(length) + " edges, expected " +
+          throw Failure{name + " has length " + std::to_string(length) + ", expected " +
                         std::to_string(bundle_.fiber)};
       }
   }

@@ -91,7 +91,7 @@ class Flow {
 public:
   Flow(const MarkedSurface& cut, const std::vector<int>& twist)
       : surface_(cut.surface), cut_(cut), twist_(twist), shift_(twist.size()),
-        ends_(static_cast<std::size_t>(surface_.vertex_count())),
+        ends_(static_cast<std::size_t>(surface_.vertex_count())), used_(twist.size(), 0),
         seen_(static_cast<std::size_t>(surface_.vertex_count()), 0) {
     for (int k = 0; k < surface_.side_count(); ++k) {
       const Side s(k);
@@ -105,7 +105,7 @@ public:
     walk(root);
     // The cut graph of a surface with boundary may fall apart.
     for (int v = 0; v < surface_.vertex_count(); ++v)
-      if (!seen_[v]) walk(v);
+      if (!seen_[v] && !ends_[v].empty()) walk(v);
     // Leaves first: what comes into a vertex from above goes out to its parent.
     for (auto arrival = preorder_.rbegin(); arrival != preorder_.rend(); ++arrival)
       if (arrival->edge.side.exists()) drain(*arrival);
@@ -133,7 +133,6 @@ private:
       int vertex;
       std::size_t next;
     };
-    std::vector<char> used(twist_.size(), 0);
     std::vector<Frame> stack{{root, 0}};
     seen_[root] = 1;
     preorder_.push_back({root, {}});
@@ -145,8 +144,8 @@ private:
         continue;
       }
       const SideEnd e = ends[top.next++];
-      if (used[e.side.value]) continue;
-      used[e.side.value] = 1;
+      if (used_[e.side.value]) continue;
+      used_[e.side.value] = 1;
       const SideEnd far{e.side, !e.at_start};
       const int there = surface_.vertex(far);
       if (seen_[there]) {
@@ -193,6 +192,7 @@ private:
   const std::vector<int>& twist_;
   std::vector<Shift> shift_;
   std::vector<std::vector<SideEnd>> ends_; ///< of each vertex, the ends of cut edges there
+  std::vector<char> used_;                 ///< of each edge, at the end from which it is reached
   std::vector<char> seen_;
   std::vector<Arrival> preorder_;
 };
@@ -212,33 +212,19 @@ std::vector<Side> boundary_sides(const Surface& surface) {
 
 namespace {
 
-/// One covering disk, and which triangles of the surface it is made of.
+/// One covering disk, and where its triangles are on the surface.
 struct CoveringDisk {
-  std::vector<int> triangles;
+  mesh::Part part;
   Disk disk;
-  Side below(Side s) const { return {triangles[static_cast<std::size_t>(s.triangle())], s.corner()}; }
+  Side below(Side s) const { return part.in_whole(s); }
 };
 
 std::vector<CoveringDisk> covering_disks(const MarkedSurface& cut) {
-  const Surface& whole = cut.surface;
   const Surface open = mesh::cut_open(cut);
-  const mesh::Parts parts = mesh::parts(open);
-  std::vector<std::vector<int>> triangles(static_cast<std::size_t>(parts.count));
-  std::vector<int> local(static_cast<std::size_t>(whole.triangle_count()));
-  for (int t = 0; t < whole.triangle_count(); ++t) {
-    auto& list = triangles[parts.of[t]];
-    local[t] = static_cast<int>(list.size());
-    list.push_back(t);
-  }
   std::vector<CoveringDisk> disks;
-  for (auto& list : triangles) {
-    Table<Side, Side> mate(3 * static_cast<int>(list.size()));
-    for (int t = 0; t < static_cast<int>(list.size()); ++t)
-      for (const Side s : sides_of(t)) {
-        const Side m = open.mate({list[t], s.corner()});
-        if (m.exists()) mate[s] = Side(local[m.triangle()], m.corner());
-      }
-    disks.push_back({std::move(list), Disk(mate)});
+  for (mesh::Part& part : mesh::split(open, mesh::parts(open))) {
+    Disk disk(std::move(part.surface));
+    disks.push_back({std::move(part), std::move(disk)});
   }
   return disks;
 }
@@ -292,7 +278,7 @@ Values values_of(const MarkedSurface& cut, const std::vector<int>& twist,
     const CuttingResult result = pattern_of(part, wanted);
     if (const auto* obstruction = std::get_if<Obstruction>(&result)) {
       out.obstruction = *obstruction;
-      for (int& t : out.obstruction->triangles) t = part.triangles[t];
+      for (int& t : out.obstruction->triangles) t = part.part.triangles[t];
       return out;
     }
     const auto& pattern = std::get<CuttingPattern>(result);

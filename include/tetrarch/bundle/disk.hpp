@@ -25,6 +25,8 @@ public:
   /// From gluings: the mate of each side, none on the boundary. Vertices are numbered by first corner. Throws
   /// `PreconditionError` if mates are not mutual, `InputError` unless this is a disk. O(n).
   explicit Disk(const Table<Side, Side>& mate);
+  /// The same of a surface: throws `InputError` unless it is a disk without turned mates. O(n).
+  explicit Disk(Surface surface);
 
   /// O(1).
   int edge_count() const { return (side_count() + static_cast<int>(boundary_.size())) / 2; }

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+/// From a surface to the recipe of its unit tangent bundle, or of the circle bundle of any Euler number.
+///
+/// | surface         | cut along                             | twisted                         |
+/// | --------------- | ------------------------------------- | ------------------------------- |
+/// | disk            | nothing (chapter 5)                   | nothing                         |
+/// | sphere          | an equator of |e| N edges (chapter 6) | all of it, by -1 for e > 0      |
+/// | genus g >= 1    | 2g canonical loops (chapter 7)        | N edges on each of loops 3 - 2g |
+/// | everything else | a short cut graph                     | |e| N edges of it               |
+///
+/// The text has equators and twisted loops of exactly |e| N and N edges. Shorter ones are split; of longer
+/// ones the rest is not twisted. Canonical loops serve for every Euler number: other than chi it is spread
+/// over the last loops.
+
+#include "tetrarch/bundle/circle_bundle.hpp"
+#include "tetrarch/mesh/marked_surface.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <variant>
+
+namespace tetrarch::bundle {
+
+struct PlanOptions {
+  int fiber = 8;                          ///< N >= 1
+  std::optional<int> euler;               ///< e, of a closed surface; chi unless given
+  std::optional<BoundaryValues> boundary; ///< one for each of `boundary_sides`, of a surface with boundary
+  enum class Cut : std::uint8_t {
+    dissertation,
+    any
+  } cut = Cut::dissertation; ///< any: always a short cut graph
+};
+
+struct Plan {
+  enum class Method : std::uint8_t { disk, equator, canonical_loops, cut_graph } method = Method::disk;
+  mesh::MarkedSurface cut; ///< the surface, refined, some of its triangles turned over
+  Recipe recipe;           ///< of the refined surface
+  int euler = 0;           ///< 0 also where there is boundary
+  /// Splits in all; the history is `cut.splits`.
+  int splits() const { return static_cast<int>(cut.splits.size()); }
+};
+
+/// The recipe, or why the values on the boundary allow none. The surface must be connected; marks on it are
+/// lost. Throws `PreconditionError` if it is not, if the resolution is less than 1, or if an Euler number or
+/// boundary values are given to a surface that has none. Near-linear, times the genus.
+[[nodiscard]] std::variant<Plan, Obstruction> plan(mesh::MarkedSurface surface, const PlanOptions& options);
+
+} // namespace tetrarch::bundle

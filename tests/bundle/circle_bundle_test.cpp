@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+/// Circle bundles over every kind of surface: proved from their gluings, and of the homology that they must
+/// have.
+#include "bundle/bundles.hpp"
+#include "support/homology.hpp"
+#include "tetrarch/bundle/section.hpp"
+#include "tetrarch/core/error.hpp"
+#include "tetrarch/core/signature.hpp"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <fstream>
+#include <map>
+#include <numeric>
+#include <set>
+
+using namespace tetrarch;
+using namespace tetrarch::bundle;
+using namespace tetrarch::support;
+
+namespace {
+
+std::string h1(const Triangulation& tri) {
+  return algebra::homology(tri, Skeleton(tri), 1).str();
+}
+
+/// The bundle on a cut graph that is as long as can be: the edges that a spanning tree of the triangles does
+/// not cross. So the covering disk has no vertex inside.
+struct Case {
+  std::string name;
+  mesh::Surface surface;
+  std::vector<int> eulers;
+};
+
+std::vector<Case> cases() {
+  return {{"sphere", tetrahedron_surface().surface(), {-3, -1, 0, 1, 2, 5}},
+          {"cube", cube_surface().surface(), {2, 1}},
+          {"torus", torus_grid(3, 3).surface(), {-3, -1, 0, 1, 2}},
+          {"torus of one vertex", glued_polygon(canonical_word(1)), {0, 1, 4}},
+          {"genus 2", genus_surface(2).surface(), {-2, 0, 3}},
+          {"genus 3 of one vertex", glued_polygon(canonical_word(3)), {-4, 2}},
+          {"projective plane", projective_plane().surface(), {-2, 0, 1, 3}},
+          {"Klein bottle", klein_grid(4, 4).surface(), {-1, 0, 2}},
+          {"three crosscaps of one vertex", glued_polygon({1, 1, 2, 2, 3, 3}), {-1, 0, 2}},
+          {"four crosscaps", crosscaps(4).surface(), {-2, 1}}};
+}
+
+} // namespace
+
+TEST_CASE("Circle bundles of every Euler number on any cut graph are proved and have their homology",
+          "[bundle]") {
+  for (const Case& c : cases())
+    for (const int e : c.eulers)
+      for (const int fiber : {1, 2, 3}) {
+        INFO(c.name << ", e = " << e << ", N = " << fiber);
+        const CircleBundle bundle = bundle_on_tree_cut(c.surface, e, fiber);
+        CHECK(bundle.total.size() == 3 * fiber * bundle.base.triangle_count());
+        const Proof proof = prove(bundle, Skeleton(bundle.total));
+        REQUIRE(proof.failure.empty());
+        CHECK(proof.euler_number == e);
+        CHECK(h1(bundle.total) == expected_homology(mesh::type_of(c.surface), e));
+      }
+}
+
+TEST_CASE("One vertex, and 6, 18 and 30 tetrahedra, are enough for genus 1, 2 and 3", "[bundle]") {
+  // A 4g-gon has 4g - 2 triangles, and over each stands one prism if fibres have one edge.
+  for (const int genus : {1, 2, 3}) {
+    const CircleBundle bundle = bundle_on_tree_cut(glued_polygon(canonical_word(genus)), 2 - 2 * genus, 1);
+    CHECK(bundle.total.size() == 12 * genus - 6);
+    CHECK(Skeleton(bundle.total).vertex_count() == 1);
+  }
+}
+
+TEST_CASE("Small bundles are the manifolds that Regina recognises", "[bundle]") {
+  // tests/oracle/record_bundles.py asked Regina to recognise these signatures.
+  std::map<std::string, std::string> recorded;
+  std::ifstream file(TETRARCH_SOURCE_DIR "/tests/oracle/regina_bundles.txt");
+  for (std::string line; std::getline(file, line);)
+    if (const auto tab = line.find('\t'); tab != std::string::npos)
+      recorded[line.substr(0, tab)] = line.substr(tab + 1);
+  // Unit tangent bundles and others as the literature names them: RP^3 = L(2,1), the 3-torus, and Seifert
+  // fibred spaces without exceptional fibres but one of type (1, e), up to the orientation.
+  for (const SmallBundle& b : small_bundles()) {
+    INFO(b.name);
+    const std::string sig = signature(bundle_on_tree_cut(b.surface, b.euler, 1).total);
+    REQUIRE(recorded.contains(sig));
+    CHECK(recorded[sig].starts_with(b.name + "\t"));
+  }
+}
+
+TEST_CASE("Where the twist is no multiple of the fibre, an exceptional fibre is found", "[bundle]") {
+  // Twist 1 over the torus with fibres of three edges: a closed manifold still, of the same homology as e
+  // = 1.
+  mesh::MarkedSurface cut(torus_grid(3, 3).surface());
+  mark_tree_cut(cut);
+  const std::vector<int> twist = spread_twist(cut, 1);
+  const CircleBundle bundle =
+      assemble({cut.surface, 3, shifts_of(cut, twist, 0), values_of(cut, twist).value});
+  const Skeleton skeleton(bundle.total);
+  CHECK(is_valid(skeleton));
+  CHECK(!skeleton.has_boundary_faces());
+  for (const VertexId v : all<VertexId>(skeleton.vertex_count())) CHECK(skeleton.link(v).is_sphere());
+  CHECK(h1(bundle.total) == "Z^2");
+  CHECK(prove(bundle, skeleton).failure == "the fibre over vertex 0 has length 1, expected 3");
+}
+
+TEST_CASE("A bundle with two gluings exchanged is not proved", "[bundle]") {
+  Random random(7);
+  const CircleBundle good = bundle_on_tree_cut(torus_grid(3, 3).surface(), 1, 3);
+  for (int trial = 0; trial < 200; ++trial) {
+    CircleBundle bad = good;
+    const TetFace f{random.below(bad.total.size()), random.below(4)};
+    const TetFace g{random.below(bad.total.size()), random.below(4)};
+    const TetFace f_partner = bad.total.partner(f);
+    const TetFace g_partner = bad.total.partner(g);
+    if (f == g || f == g_partner) continue;
+    for (const TetFace face : {f, g}) bad.total.unglue(face);
+    const auto any = [&](TetFace a, TetFace b) {
+      std::array<int, 4> image{};
+      for (int v = 0, w = 0; v < 4; ++v) {
+        if (v == a.face) continue;
+        if (w == b.face) ++w;
+        image[v] = w++;
+      }
+      image[a.face] = b.face;
+      bad.total.glue(a, b.tet, Perm4(image[0], image[1], image[2], image[3]));
+    };
+    any(f, g);
+    any(f_partner, g_partner);
+    CHECK(!prove(bad, Skeleton(bad.total)).failure.empty());
+  }
+}
+
+TEST_CASE("The bundle of a disk is regular in the sense of Definition 5.1.1", "[bundle]") {
+  Random random(3);
+  for (const int fiber : {1, 2, 5}) {
+    const Disk disk = random_disk({4, 3, 5, 6, false}, random);
+    const CircleBundle bundle = trivial_bundle(disk, cut_free(disk), fiber);
+    const Skeleton skeleton(bundle.total);
+    const Proof proof = prove(bundle, skeleton);
+    REQUIRE(proof.failure.empty()); // [2] and [3]: disjoint fibres of N edges
+    CHECK(!proof.has_euler_number);
+    CHECK(h1(bundle.total) == "Z");
+    // [1]: N copies of the base, disjoint, each with all its vertices. Copy j is the bottoms of level j.
+    std::set<int> all;
+    for (int j = 0; j < fiber; ++j) {
+      std::set<int> copy;
+      for (int t = 0; t < disk.triangle_count(); ++t)
+        for (int v = 0; v < 3; ++v) copy.insert(skeleton.vertex({3 * (fiber * t + j), v}).value);
+      CHECK(static_cast<int>(copy.size()) == disk.vertex_count());
+      all.insert(copy.begin(), copy.end());
+    }
+    CHECK(static_cast<int>(all.size()) == fiber * disk.vertex_count());
+    CHECK(skeleton.vertex_count() == fiber * disk.vertex_count());
+  }
+}
+
+TEST_CASE("Surfaces with boundary have trivial bundles, also with handles and crosscaps", "[bundle]") {
+  for (const auto& [list, homology] :
+       {std::pair{with_holes(icosphere(2), 3), std::string("Z^3")},
+        {with_holes(torus_grid(6, 6), 1), std::string("Z^3")},
+        // Moebius band: its group is that of the Klein bottle, as the fibre turns round.
+        {with_holes(crosscaps(1), 1), std::string("Z + Z/2")}}) {
+    const CircleBundle bundle = bundle_on_tree_cut(list.surface(), 0, 4);
+    CHECK(prove(bundle, Skeleton(bundle.total)).failure.empty());
+    CHECK(h1(bundle.total) == homology);
+  }
+}
+
+TEST_CASE("The indices of a section add up to the Euler number, those of a field to chi", "[bundle]") {
+  Random random(11);
+  const auto number = [&] { return random.below(1'000'000) * 1e-6; };
+  for (const Case& c : cases())
+    for (const int e : c.eulers) {
+      INFO(c.name << ", e = " << e);
+      const CircleBundle bundle = bundle_on_tree_cut(c.surface, e, 3);
+      const Proof proof = prove(bundle, Skeleton(bundle.total));
+      for (int trial = 0; trial < 5; ++trial) {
+        std::vector<double> place(static_cast<std::size_t>(bundle.base.vertex_count()));
+        for (double& p : place) p = 3 * number();
+        const auto index = indices(bundle, proof.fibers, place);
+        CHECK(std::accumulate(index.begin(), index.end(), 0) == e);
+        std::vector<std::array<double, 3>> points(place.size());
+        for (auto& p : points) p = {number(), number(), number()};
+        for (double& p : place) p *= 2;
+        const auto turned = field_indices(bundle.base, points, place);
+        CHECK(std::accumulate(turned.begin(), turned.end(), 0) == mesh::type_of(bundle.base).euler);
+      }
+    }
+}
+
+TEST_CASE("A field in the plane that turns k times has index k at its zero", "[bundle]") {
+  // z^k: along a circle about 0 it turns by k, so that is the sum of the indices inside, all of them near 0.
+  const int n = 16;
+  TriangleList plane;
+  plane.vertices = (n + 1) * (n + 1);
+  for (int y = 0; y <= n; ++y)
+    for (int x = 0; x <= n; ++x) plane.points.push_back({x - 8.3, y - 7.8, 0});
+  for (int y = 0; y < n; ++y)
+    for (int x = 0; x < n; ++x) {
+      const int a = y * (n + 1) + x;
+      plane.triangles.insert(plane.triangles.end(), {{a, a + 1, a + n + 2}, {a, a + n + 2, a + n + 1}});
+    }
+  const mesh::Surface surface = plane.surface();
+  const auto angle_at = [&](int v) { return std::atan2(plane.points[v][1], plane.points[v][0]); };
+  for (int k = -2; k <= 3; ++k) {
+    std::vector<double> direction(plane.points.size(), 0);
+    std::vector<char> done(plane.points.size(), 0);
+    for (int t = 0; t < surface.triangle_count(); ++t)
+      for (int c = 0; c < 3; ++c) {
+        const int v = surface.corners(t)[c];
+        if (done[v]) continue;
+        done[v] = 1;
+        const mesh::SideEnd first = mesh::fan(surface, {mesh::Side(t, (c + 2) % 3), true}).front();
+        const int w = surface.vertex({first.side, !first.at_start});
+        const double zero =
+            std::atan2(plane.points[w][1] - plane.points[v][1], plane.points[w][0] - plane.points[v][0]);
+        direction[v] = (first.at_start ? 1 : -1) * (k * angle_at(v) - zero);
+      }
+    const auto index = field_indices(surface, plane.points, direction);
+    CHECK(std::accumulate(index.begin(), index.end(), 0) == k);
+    for (int t = 0; t < surface.triangle_count(); ++t)
+      if (index[t] != 0)
+        for (const int v : surface.corners(t)) CHECK(std::hypot(plane.points[v][0], plane.points[v][1]) < 3);
+  }
+}
+
+TEST_CASE("Recipes that do not fit are the caller's mistake", "[bundle]") {
+  const mesh::Surface sphere = tetrahedron_surface().surface();
+  const std::vector<Shift> shift(12);
+  CHECK_THROWS_AS(assemble({sphere, 0, shift, std::vector<std::int8_t>(12, 1)}), PreconditionError);
+  CHECK_THROWS_AS(assemble({sphere, 1, shift, std::vector<std::int8_t>(12, 1)}), PreconditionError);
+  CHECK_THROWS_AS(assemble({sphere, 1, {}, {}}), PreconditionError);
+}
