@@ -367,6 +367,73 @@ class Meshes(unittest.TestCase):
             self.assertEqual(os.listdir(folder), ["cubes.mesh"])
 
 
+class CheckSurface(unittest.TestCase):
+    # A square ring of eight squares: by hand, loops of length 12 around area 9 and of length 4 around area 1.
+    POINTS = [(x, y, 0) for x in range(4) for y in range(4)]
+    RING = [t for x in range(3) for y in range(3) if (x, y) != (1, 1)
+            for t in ((4 * x + y, 4 * x + y + 4, 4 * x + y + 5), (4 * x + y, 4 * x + y + 5, 4 * x + y + 1))]
+
+    def off(self, triangles, points=None):
+        """Point v stands on line 3 + v, triangle t on line 3 + t + the number of points."""
+        points = self.POINTS if points is None else points
+        lines = ["OFF", "%d %d 0" % (len(points), len(triangles))]
+        lines += ["%g %g %g" % p for p in points] + ["3 %d %d %d" % t for t in triangles]
+        return "\n".join(lines) + "\n"
+
+    def check(self, triangles, *options, points=None):
+        done = run("check", "-", "--json", *options, stdin=self.off(triangles, points))
+        self.assertEqual(done.stderr, "")
+        return done.returncode, json.loads(done.stdout)
+
+    def test_type_and_loops(self):
+        status, info = self.check(self.RING)
+        self.assertEqual((status, info["triangles"], info["vertices"], info["fatal"]), (0, 16, 16, 0))
+        self.assertEqual((info["type"], info["components"], info["findings"]), ("sphere, 2 holes", 1, []))
+        self.assertEqual([(b["index"], b["length"], b["area"]) for b in info["boundary_loops"]],
+                         [(0, 12, 9), (1, 4, 1)])
+        self.assertEqual(set(info["boundary_loops"][1]["vertices"]), {5, 6, 9, 10})
+        plain = run("check", "-", stdin=self.off(self.RING)).stdout
+        self.assertIn("boundary loop 1: 4 edges, length 4, area 1, through v", plain)
+
+    def test_faults_by_element_and_line(self):
+        triangles = self.RING + [(0, 5, 15), (1, 1, 2), (5, 4, 0)]
+        triangles[2] = (1, 6, 5)
+        status, info = self.check(triangles)
+        # By hand: triangle 16 is the third at the edge 0-5, alone at vertex 15, and flat, as all three are on the
+        # diagonal; 17 repeats vertex 1; 18 is 0 again; 2 is turned.
+        self.assertEqual([(f["kind"], f["number"], f["line"]) for f in info["findings"]],
+                         [("degenerate", 17, 36), ("duplicate", 18, 37), ("non_manifold_edge", 16, 35),
+                          ("non_manifold_vertex", 15, 18), ("turned", 2, 21), ("flat", 16, 35)])
+        self.assertEqual((status, info["fatal"], "type" in info), (1, 2, False))
+
+    def test_repair(self):
+        triangles = [(a, c, b) if k % 5 == 0 else (a, b, c) for k, (a, b, c) in enumerate(self.RING)]
+        triangles = [(a + 1, b + 1, c + 1) for a, b, c in triangles + [(0, 0, 1), self.RING[3]]]
+        points = [(9, 9, 9)] + self.POINTS
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "mended.obj")
+            status, info = self.check(triangles, "--repair", "-o", path, points=points)
+            self.assertEqual((status, info["counts"], info["type"]), (0, {}, "sphere, 2 holes"))
+            self.assertEqual(info["repairs"], ["removed 1 degenerate triangles", "removed 1 duplicate triangles",
+                                               "turned round 4 triangles against their component",
+                                               "removed 1 unused vertices"])
+            # The vertices of loops are those of the file, where one stood before them.
+            self.assertEqual(set(info["boundary_loops"][1]["vertices"]), {6, 7, 10, 11})
+            again = run_json("check", path)[1]
+            self.assertEqual((again["findings"], again["triangles"], again["vertices"]), ([], 16, 16))
+            # In OBJ vertices are numbered from 1; loops are told from 0, as v17 asks for them.
+            self.assertEqual(set(again["boundary_loops"][1]["vertices"]), {5, 6, 9, 10})
+
+    def test_no_orientation_and_no_connection_are_remarks(self):
+        strip = [(k, (k + 1) % 5, (k + 2) % 5) for k in range(5)]
+        points = [(k, k * k, k ** 3) for k in range(8)]
+        status, info = self.check(strip, points=points[:5])
+        self.assertEqual((status, info["type"], info["counts"]), (0, "projective plane, 1 hole", {"not_orientable": 1}))
+        status, info = self.check(strip + [(5, 6, 7)], points=points)
+        self.assertEqual((status, info["type"], info["components"]), (0, None, 2))
+        self.assertEqual(len(info["boundary_loops"]), 2)
+
+
 class BadInput(unittest.TestCase):
     """Each: exit status 2, one line that names place and cause, nothing on standard output, nothing written."""
 
@@ -587,6 +654,107 @@ class View(unittest.TestCase):
         done = run("view", "cPcbbbihq", "-o", "/tmp/never.html", "--copies", "100000")
         self.assertEqual(done.returncode, 2)
         self.assertIn("tetrarch embed", done.stderr)
+
+
+class Bundle(unittest.TestCase):
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory()
+        self.addCleanup(self.folder.cleanup)
+
+    def path(self, name, text=None):
+        path = os.path.join(self.folder.name, name)
+        if text is not None:
+            with open(path, "w", encoding="utf-8") as file:
+                file.write(text)
+        return path
+
+    def surface(self, name):
+        return os.path.join(SOURCE, "tests/data/mesh", name)
+
+    def refused(self, *arguments):
+        """The one line on standard error of a command that must fail with 2 and write nothing."""
+        before = sorted(os.listdir(self.folder.name))
+        done = run("bundle", *arguments)
+        self.assertEqual(done.returncode, 2, done.stdout + done.stderr)
+        self.assertEqual(done.stderr.count("\n"), 1, done.stderr)
+        self.assertEqual(sorted(os.listdir(self.folder.name)), before)
+        return done.stderr
+
+    def test_sphere_torus_and_genus_two(self):
+        # H1 of the unit tangent bundle of genus g: Z^2g + Z/(2g-2); Z/2 for the sphere, Z^3 for the torus.
+        for name, homology, euler, along in (("cube.off", "Z/2", 2, "an equator"), ("torus.off", "Z^3", 0, "canonical loops"),
+                                             ("double_torus.off", "Z^4 + Z/2", -2, "canonical loops")):
+            _, made = run_json("bundle", self.surface(name), "--fiber", "4")
+            self.assertEqual((made["homology"], made["euler_number"], made["fiber"], made["closed"]), (homology, euler, 4, True))
+            self.assertEqual((made["boundary"], made["cut"]["along"]), ([], along))
+            self.assertEqual(made["field"]["index_sum"], euler)
+            self.assertEqual(made["section"]["index_sum"], euler)
+            self.assertEqual(made["tetrahedra"], 3 * 4 * made["refined"]["triangles"])
+
+    def test_other_euler_numbers(self):
+        for name, euler, homology in (("cube.off", 5, "Z/5"), ("cube.off", 1, "0"), ("torus.off", 3, "Z^2 + Z/3"), ("double_torus.off", 0, "Z^5")):
+            for cut in ("dissertation", "any"):
+                _, made = run_json("bundle", self.surface(name), "--fiber", "3", "--euler", str(euler), "--cut", cut)
+                self.assertEqual((made["homology"], made["euler_number"]), (homology, euler))
+        _, made = run_json("bundle", self.surface("torus.off"), "--fiber", "3", "--twist", "-6")
+        self.assertEqual(made["euler_number"], -2)
+
+    def test_what_is_written_is_read_again(self):
+        triangulation, mesh, bands, tori, shown = (self.path(n) for n in ("b.json", "b.vtu", "b.svg", "b.glb", "s.ply"))
+        done = run("bundle", self.surface("torus.off"), "--fiber", "3", "-o", triangulation, "-o", mesh, "-o", bands, "-o", tori)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual(run_json("info", triangulation)[1]["homology"], "Z^3")
+        # The mesh is the bundle cut open: a solid torus.
+        _, solid = run_json("info", mesh)
+        self.assertEqual((solid["tetrahedra"], solid["homology"], len(solid["boundary"])), (432, "Z", 1))
+        with open(bands, encoding="utf-8") as file:
+            self.assertIn("<svg", file.read())
+        with open(tori, "rb") as file:
+            self.assertEqual(file.read(4), b"glTF")
+        done = run("bundle", self.surface("torus.off"), "--show", "surface", "-o", shown)
+        self.assertEqual(done.returncode, 0, done.stderr)
+
+    def test_a_disk_with_and_without_solution(self):
+        # By hand: two triangles have no vertex inside, so four equal values have no solution.
+        square = self.path("square.off", "OFF\n4 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n3 0 2 3\n")
+        good = self.path("good.txt", "# an edge a line\n0 1 +1\n1 2 1\n2 3 +1\n0 3 +1\n")
+        _, made = run_json("bundle", square, "--fiber", "5", "--boundary", good)
+        self.assertEqual((made["homology"], made["closed"], made["euler_number"]), ("Z", False, None))
+        self.assertEqual(made["boundary"][0]["genus"], 1)
+        bad, part = self.path("bad.txt", "0 1 +1\n1 2 +1\n2 3 +1\n3 0 +1\n"), self.path("part.off")
+        done = run("bundle", square, "--boundary", bad, "--obstruction", part, "-o", self.path("never.json"), "--json")
+        self.assertEqual(done.returncode, 1, done.stderr)
+        self.assertEqual(json.loads(done.stdout)["obstruction"], {"triangles": [0, 1], "forbidding": 1})
+        self.assertFalse(os.path.exists(self.path("never.json")))
+        self.assertEqual(run_json("check", part)[1]["fatal"], 0)
+        for text, complaint in (("0 1 1\n1 2 1\n2 3 1\n", "vertices 3 and 0 has no value"), ("0 1 2\n", "1: found '2', expected a value"),
+                                ("0 1 1\n0 2 1\n", "2: the edge on vertices 0 and 2 is no boundary edge"),
+                                ("0 1 1\n1 0 1\n", "2: the edge on vertices 1 and 0 has a value already"), ("0 1 x", "found 'x'"),
+                                ("0 one 1\n", "found 'one'"), ("0 1", "the text ends")):
+            self.assertIn(complaint, self.refused(square, "--boundary", self.path("b.txt", text)))
+
+    def test_bad_input(self):
+        cube, torus = self.surface("cube.off"), self.surface("torus.off")
+        self.assertIn("least that works", run("bundle", "--help").stdout)
+        self.assertIn("expected 1 to", self.refused(cube, "--fiber", "0"))
+        self.assertIn("multiple of the fibre's 4 edges", self.refused(torus, "--fiber", "4", "--twist", "6"))
+        self.assertIn("closed", self.refused(cube, "--boundary", self.path("b.txt", "")))
+        self.assertIn("no such folder", self.refused(cube, "-o", "/nowhere/b.json"))
+        self.assertIn("extension", self.refused(cube, "-o", self.path("b.xyz")))
+        self.assertIn("Euler number", self.refused(self.path("t.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"), "--euler", "1"))
+        fan = "OFF\n5 3 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n0 -1 0\n3 0 1 2\n3 0 1 3\n3 0 1 4\n"
+        self.assertIn("edge", self.refused(self.path("fan.off", fan)))
+        two = "OFF\n6 2 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n1 0 1\n0 1 1\n3 0 1 2\n3 3 4 5\n"
+        self.assertIn("2 components", self.refused(self.path("two.off", two)))
+        self.assertIn("no triangles", self.refused(self.path("none.off", "OFF\n1 0 0\n0 0 0\n")))
+
+    def test_a_surface_without_orientation(self):
+        # RP^2 with six vertices; its unit tangent bundle is L(4,1), as Regina names it.
+        triangles = ((0, 1, 2), (0, 2, 3), (0, 3, 4), (0, 4, 5), (0, 5, 1), (1, 2, 4), (2, 3, 5), (3, 4, 1), (4, 5, 2), (5, 1, 3))
+        text = "OFF\n6 10 0\n" + "".join("%d %d %d\n" % (i, i * i, i ** 3) for i in range(6))
+        text += "".join("3 %d %d %d\n" % t for t in triangles)
+        _, made = run_json("bundle", self.path("rp2.off", text), "--fiber", "3")
+        self.assertEqual((made["homology"], made["euler_number"], made["surface"]["type"]), ("Z/4", 1, "projective plane"))
 
 
 if __name__ == "__main__":

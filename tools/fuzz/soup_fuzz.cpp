@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Mesh files of every format but TetGen's: what was read survives writing and reading, validation survives
-// anything, what is repaired needs no more repair, and what is valid can be triangulated.
+// anything, what is repaired needs no more repair, and what is valid can be triangulated; of surfaces
+// likewise, and their boundary loops can be told.
 #include "fuzz.hpp"
 #include "tetrarch/core/check.hpp"
 #include "tetrarch/format/mesh_files.hpp"
+#include "tetrarch/mesh/boundary_loops.hpp"
 #include "tetrarch/mesh/repair.hpp"
 #include "tetrarch/mesh/tet_mesh.hpp"
 #include "tetrarch/mesh/validate.hpp"
@@ -28,12 +30,28 @@ void require_round_trips(const format::Soup& soup) {
   }
 }
 
+void check_surface(const format::Soup& soup) {
+  const mesh::Report report = mesh::validate_surface(soup);
+  const mesh::Repaired repaired = mesh::repair(soup);
+  fuzz::require(report.count(mesh::Kind::index_out_of_range) > 0 ||
+                    mesh::validate_surface(repaired.soup).count(mesh::Severity::repairable) == 0,
+                "what is repaired needs no more repair");
+  const mesh::TriangleMesh made = mesh::build_surface(repaired.soup);
+  fuzz::require(static_cast<int>(mesh::boundary_loops(made).size()) ==
+                    mesh::type_of(made.surface).boundary_curves,
+                "every boundary curve is a loop");
+}
+
 } // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   try {
     const format::Soup soup = format::read_soup(fuzz::as_text(data, size), "fuzz");
     require_round_trips(soup);
+    if (soup.tetrahedra.empty()) {
+      check_surface(soup);
+      return 0;
+    }
     const mesh::Report report = mesh::validate(soup);
     const mesh::Repaired repaired = mesh::repair(soup);
     fuzz::require(report.count(mesh::Kind::index_out_of_range) > 0 ||

@@ -52,16 +52,16 @@ Json group_json(const algebra::Presentation& group) {
 
 } // namespace
 
-Info info_of(const Triangulation& tri, const std::string& name, const Progress& progress) {
+Info info_of(const Triangulation& tri, const std::string& name, const Progress& progress, bool brief) {
   const Skeleton skeleton(tri);
   const std::vector<Defect> defects = check(skeleton);
   const auto boundary = boundary_components(tri, skeleton);
   const bool valid = defects.empty();
-  const bool has_group = valid && tri.size() > 0 && skeleton.is_connected();
+  const bool has_group = !brief && valid && tri.size() > 0 && skeleton.is_connected();
   const std::string homology = valid ? algebra::homology(tri, skeleton, 1).str() : "";
   algebra::Presentation group;
   if (has_group) group = simplified(algebra::dual_presentation(tri, skeleton).presentation, {}, progress);
-  const std::string sig = signature(tri);
+  const std::string sig = brief ? "" : signature(tri);
 
   Info out;
   Json& j = out.json;
@@ -74,7 +74,7 @@ Info info_of(const Triangulation& tri, const std::string& name, const Progress& 
   j["defects"] = defects_json(defects, skeleton);
   j["orientable"] = skeleton.is_orientable();
   j["connected"] = skeleton.is_connected();
-  j["signature"] = sig;
+  j["signature"] = brief ? Json() : Json(sig);
   j["homology"] = valid ? Json(homology) : Json();
   j["boundary"] = boundary_json(boundary);
   j["group"] = has_group ? group_json(group) : Json();
@@ -92,7 +92,7 @@ Info info_of(const Triangulation& tri, const std::string& name, const Progress& 
   rows.emplace_back("boundary", boundary_text(boundary));
   if (valid) rows.emplace_back("homology", homology);
   if (has_group) rows.emplace_back("group", group.str());
-  rows.emplace_back("signature", sig);
+  if (!brief) rows.emplace_back("signature", sig);
   return out;
 }
 

@@ -28,15 +28,15 @@ void add_remarks(const format::Soup& soup, const mesh::Report& report, std::vect
 
 format::Document triangulation_of(format::Soup soup, const ReadOptions& options) {
   std::vector<std::string> warnings = std::move(soup.warnings);
-  if (soup.tetrahedra.empty() && !soup.triangles.empty()) {
-    soup = mesh::fill(soup, options.progress);
-    warnings.push_back("a surface: filled with " + std::to_string(soup.tetrahedra.size()) +
-                       " tetrahedra by TetGen");
-  }
   if (options.repair) {
     mesh::Repaired repaired = mesh::repair(std::move(soup));
     soup = std::move(repaired.soup);
     warnings.insert(warnings.end(), repaired.done.begin(), repaired.done.end());
+  }
+  if (soup.tetrahedra.empty() && !soup.triangles.empty()) {
+    soup = mesh::fill(soup, options.progress);
+    warnings.push_back("a surface: filled with " + std::to_string(soup.tetrahedra.size()) +
+                       " tetrahedra by TetGen");
   }
   const mesh::Report report = mesh::validate(soup, 1);
   add_remarks(soup, report, warnings);

@@ -1,0 +1,275 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "command.hpp"
+#include "info.hpp"
+#include "output.hpp"
+#include "surface_input.hpp"
+#include "text.hpp"
+
+#include "tetrarch/bundle/gluable.hpp"
+#include "tetrarch/bundle/plan.hpp"
+#include "tetrarch/bundle/proof.hpp"
+#include "tetrarch/bundle/section.hpp"
+#include "tetrarch/core/error.hpp"
+#include "tetrarch/core/random.hpp"
+#include "tetrarch/format/mesh_files.hpp"
+#include "tetrarch/format/text.hpp"
+#include "tetrarch/mesh/canonical_loops.hpp"
+#include "tetrarch/mesh/repair.hpp"
+#include "tetrarch/scene/bundle.hpp"
+#include "tetrarch/scene/files.hpp"
+
+#include <CLI/CLI.hpp>
+#include <map>
+#include <memory>
+#include <numbers>
+#include <optional>
+
+namespace tetrarch::program {
+namespace {
+
+using bundle::Plan;
+using bundle::PlanOptions;
+
+struct Options {
+  std::string input;
+  std::vector<std::string> outputs;
+  std::string boundary = "free";
+  std::string obstruction;
+  std::string show = "tori";
+  PlanOptions plan;
+  std::optional<int> twist;
+  bool repair = false;
+};
+
+bool is_svg(const std::string& path) {
+  return format::has_extension(path, ".svg");
+}
+
+void require_outputs(const Options& options) {
+  for (const std::string& path : options.outputs) {
+    require_folder(path);
+    if (!is_svg(path) && !scene::scene_format_for_extension(path) && !format::format_for_extension(path))
+      throw InputError({path, 0},
+                       "nothing that can be written has this extension (expected .json, .tri, .sig, "
+                       ".txt or .fmp; .vtu, .glb, .ply, .obj or .svg)");
+  }
+  if (options.obstruction.empty()) return;
+  require_folder(options.obstruction);
+  if (!format::mesh_format_for_extension(options.obstruction))
+    throw InputError({options.obstruction, 0}, "no mesh format has this extension");
+}
+
+/// Says what a caller asked for that cannot be had.
+PlanOptions plan_options(const Options& options, const SurfaceInput& surface) {
+  PlanOptions plan = options.plan;
+  const SurfaceType type = mesh::type_of(surface.mesh.surface);
+  if (plan.fiber < 1 || plan.fiber > 1'000'000)
+    throw InputError("--fiber " + std::to_string(plan.fiber) + ": expected 1 to 1000000 edges");
+  if (options.twist) {
+    if (plan.euler) throw InputError("--twist and --euler say the same thing: expected one of them");
+    if (*options.twist % plan.fiber != 0)
+      throw InputError("--twist " + std::to_string(*options.twist) + ": expected a multiple of the fibre's " +
+                       counted(plan.fiber, "edge") + ", as otherwise one fibre is exceptional");
+    plan.euler = *options.twist / plan.fiber;
+  }
+  if (plan.euler && !type.is_closed())
+    throw InputError({options.input, 0}, "a surface with boundary has no Euler number to choose");
+  if (plan.euler && std::abs(static_cast<long long>(*plan.euler)) * plan.fiber > 10'000'000)
+    throw InputError("--euler " + std::to_string(*plan.euler) +
+                     ": a total twist of more than 10000000 steps");
+  if (options.boundary != "free") {
+    if (type.is_closed())
+      throw InputError({options.input, 0}, "the surface is closed: no edge takes a value");
+    plan.boundary = read_boundary_values(options.boundary, surface);
+  }
+  return plan;
+}
+
+const char* name_of(Plan::Method method) {
+  switch (method) {
+  case Plan::Method::disk:
+    return "nothing: a disk";
+  case Plan::Method::equator:
+    return "an equator";
+  case Plan::Method::canonical_loops:
+    return "canonical loops";
+  case Plan::Method::cut_graph:
+    return "a cut graph";
+  }
+  return "";
+}
+
+/// The sub-mesh on which no pattern exists.
+Result obstructed(const bundle::Obstruction& found, const SurfaceInput& surface, const Options& options) {
+  Result result;
+  result.status = Status::proved_no;
+  result.warnings = surface.warnings;
+  Json triangles = Json::array();
+  format::Soup part;
+  part.points = surface.mesh.points;
+  for (const int t : found.triangles) {
+    triangles.push_back(surface.labels.triangle_labels.number(t, surface.labels.first_number));
+    part.triangles.push_back(surface.mesh.surface.corners(t));
+  }
+  result.text = "no solution: the values given on the boundary of " +
+                counted(static_cast<long long>(found.triangles.size()), "triangle") + " are all " +
+                (found.forbidding > 0 ? "+1" : "-1") + ", and no vertex lies inside\n";
+  result.json = {{"solvable", false},
+                 {"obstruction", {{"triangles", std::move(triangles)}, {"forbidding", found.forbidding}}}};
+  if (!options.obstruction.empty()) {
+    mesh::Repaired tidy = mesh::repair(std::move(part));
+    result.files.push_back(
+        {options.obstruction,
+         format::write_soup(tidy.soup, *format::mesh_format_for_extension(options.obstruction))});
+  }
+  return result;
+}
+
+/// What the dissertation proves of its gluings, asked of ours.
+void audit(const Plan& plan) {
+  if (plan.method == Plan::Method::canonical_loops)
+    if (const std::string why = mesh::why_not_canonical(plan.cut); !why.empty()) throw PreconditionError(why);
+  for (const auto& pair : bundle::bands(plan.cut))
+    if (const std::string why = bundle::why_not_gluable(pair, plan.recipe); !why.empty())
+      throw PreconditionError(why);
+}
+
+Json cut_json(const Plan& plan) {
+  Json curves = Json::array();
+  for (const auto& pair : bundle::bands(plan.cut))
+    curves.push_back({{"edges", pair[0].sides.size()}, {"twist", bundle::twist_along(pair[0], plan.recipe)}});
+  Json json{{"along", name_of(plan.method)}, {"curves", std::move(curves)}};
+  if (plan.method == Plan::Method::canonical_loops) json["word"] = mesh::boundary_word(plan.cut);
+  return json;
+}
+
+/// A field of directions on the surface and a section of the bundle, both at random.
+struct Singularities {
+  std::vector<int> field;
+  std::vector<int> section;
+};
+
+Singularities singularities(const Plan& plan, const bundle::CircleBundle& bundle, const bundle::Proof& proof,
+                            std::uint64_t seed) {
+  SplitMix64 random(seed);
+  std::vector<double> direction(static_cast<std::size_t>(bundle.base.vertex_count()));
+  for (double& d : direction) d = random.uniform() * 2 * std::numbers::pi;
+  std::vector<double> place(direction.size());
+  for (double& p : place) p = random.uniform() * bundle.fiber;
+  return {bundle::field_indices(bundle.base, plan.cut.points, direction),
+          bundle::indices(bundle, proof.fibers, place)};
+}
+
+Json index_json(const std::vector<int>& index) {
+  int sum = 0;
+  int broken = 0;
+  for (const int i : index) {
+    sum += i;
+    broken += i != 0 ? 1 : 0;
+  }
+  return {{"singular_triangles", broken}, {"index_sum", sum}};
+}
+
+void add_outputs(Result& result, const Plan& plan, const bundle::CircleBundle& bundle,
+                 const std::vector<int>& index, const Options& options) {
+  const auto scene_of = [&](const std::string& path) {
+    const bool cells = format::has_extension(path, ".vtu") || plan.method == Plan::Method::disk;
+    if (options.show == "surface") return scene::cut_surface(plan, index);
+    return cells ? scene::solid_tori(plan, bundle) : scene::gluable_tori(plan);
+  };
+  for (const std::string& path : options.outputs) {
+    if (is_svg(path))
+      result.files.push_back({path, write_svg(scene::gluable_bands(plan))});
+    else if (const auto format = scene::scene_format_for_extension(path))
+      result.files.push_back({path, write_scene(scene_of(path), *format)});
+    else
+      add_file(result, path, format::document_of(bundle.total));
+  }
+}
+
+Result run_bundle(const Options& options, const Context& context) {
+  require_outputs(options);
+  SurfaceInput surface = read_surface(options.input, options.repair);
+  const PlanOptions wanted = plan_options(options, surface);
+  const SurfaceType type = mesh::type_of(surface.mesh.surface);
+  const int triangles = surface.mesh.surface.triangle_count();
+  auto planned = bundle::plan(mesh::MarkedSurface(surface.mesh.surface, surface.mesh.points), wanted);
+  if (const auto* found = std::get_if<bundle::Obstruction>(&planned))
+    return obstructed(*found, surface, options);
+  const Plan& plan = std::get<Plan>(planned);
+  audit(plan);
+  const bundle::CircleBundle bundle = bundle::assemble(plan.recipe);
+  context.progress.step("checking", 0.5);
+  const bundle::Proof proof = bundle::prove(bundle, Skeleton(bundle.total));
+  if (!proof.failure.empty()) throw PreconditionError(proof.failure);
+  if (proof.has_euler_number && proof.euler_number != plan.euler)
+    throw PreconditionError("the Euler number counted is " + std::to_string(proof.euler_number));
+
+  constexpr int small = 2'000; // tetrahedra; beyond, nobody reads a signature or a group
+  Info info = info_of(bundle.total, "", context.progress, bundle.total.size() > small);
+  const Singularities singular = singularities(plan, bundle, proof, context.seed);
+  Result result;
+  result.warnings = surface.warnings;
+  result.json = std::move(info.json);
+  result.json["fiber"] = bundle.fiber;
+  result.json["euler_number"] = proof.has_euler_number ? Json(proof.euler_number) : Json();
+  result.json["closed"] = type.is_closed();
+  result.json["surface"] = {{"type", type.str()}, {"triangles", triangles}, {"euler", type.euler}};
+  result.json["refined"] = {{"triangles", bundle.base.triangle_count()}, {"splits", plan.splits()}};
+  result.json["cut"] = cut_json(plan);
+  result.json["field"] = proof.has_euler_number ? index_json(singular.field) : Json();
+  result.json["section"] = proof.has_euler_number ? index_json(singular.section) : Json();
+  std::vector<std::pair<std::string, std::string>> rows{
+      {"surface", type.str() + ", " + counted(triangles, "triangle") + ", Euler characteristic " +
+                      std::to_string(type.euler)},
+      {"cut along", name_of(plan.method)},
+      {"refined by", counted(plan.splits(), "split")},
+      {"fibres", counted(bundle.base.vertex_count(), "circle") + " of " + counted(bundle.fiber, "edge")},
+      {"Euler number", proof.has_euler_number ? std::to_string(proof.euler_number) : "none (boundary)"}};
+  if (proof.has_euler_number)
+    rows.emplace_back("random field",
+                      counted(result.json["field"]["singular_triangles"].get<int>(), "singular triangle") +
+                          ", indices adding up to " +
+                          std::to_string(result.json["field"]["index_sum"].get<int>()));
+  // A signature as long as a page is for programs.
+  if (!info.rows.empty() && info.rows.back().second.size() > 100) info.rows.pop_back();
+  rows.insert(rows.end(), info.rows.begin(), info.rows.end());
+  result.text = block(rows);
+  add_outputs(result, plan, bundle, singular.field, options);
+  return result;
+}
+
+} // namespace
+
+Run declare_bundle(CLI::App& app) {
+  const auto o = std::make_shared<Options>();
+  const std::map<std::string, PlanOptions::Cut> cuts{{"dissertation", PlanOptions::Cut::dissertation},
+                                                     {"any", PlanOptions::Cut::any}};
+  app.add_option("SURFACE", o->input, "a surface: OBJ, OFF, PLY or STL")->required();
+  app.add_option(
+         "-o,--output", o->outputs,
+         "the triangulation (.json, .tri, .sig ...), the mesh with its coordinates (.vtu), or a picture: "
+         ".glb, .ply or .obj of the solid tori, .svg of the bands to be glued; may be repeated")
+      ->allow_extra_args(false);
+  app.add_option("--fiber", o->plan.fiber, "edges of a fibre; 1 is the least that works")
+      ->capture_default_str();
+  app.add_option("--euler", o->plan.euler, "the bundle of this Euler number (chi: the unit tangent bundle)");
+  app.add_option("--twist", o->twist, "the same as the total twist in steps: --fiber times --euler");
+  app.add_option(
+         "--boundary", o->boundary,
+         "free, or a file of lines 'u v value': a boundary edge by the numbers that the surface's file uses, "
+         "and +1 or -1")
+      ->capture_default_str();
+  app.add_option("--cut", o->plan.cut, "dissertation: equator or canonical loops; any: a short cut graph")
+      ->transform(CLI::CheckedTransformer(cuts).description("{dissertation,any}"))
+      ->default_str("dissertation");
+  app.add_option("--show", o->show, "what pictures show: tori, or the surface with its cut and singularities")
+      ->check(CLI::IsMember({"tori", "surface"}))
+      ->capture_default_str();
+  app.add_option("--obstruction", o->obstruction, "where to write the part of a disk that has no solution");
+  app.add_flag("--repair", o->repair,
+               "mend orientation, unused vertices, duplicates, degenerate triangles first");
+  return [o](const Context& context) { return run_bundle(*o, context); };
+}
+
+} // namespace tetrarch::program
