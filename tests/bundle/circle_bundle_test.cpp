@@ -20,10 +20,6 @@ using namespace tetrarch::support;
 
 namespace {
 
-std::string h1(const Triangulation& tri) {
-  return algebra::homology(tri, Skeleton(tri), 1).str();
-}
-
 /// The bundle on a cut graph that is as long as can be: the edges that a spanning tree of the triangles does
 /// not cross. So the covering disk has no vertex inside.
 struct Case {
@@ -58,7 +54,7 @@ TEST_CASE("Circle bundles of every Euler number on any cut graph are proved and 
         const Proof proof = prove(bundle, Skeleton(bundle.total));
         REQUIRE(proof.failure.empty());
         CHECK(proof.euler_number == e);
-        CHECK(h1(bundle.total) == expected_homology(mesh::type_of(c.surface), e));
+        CHECK(first_homology(bundle.total) == expected_homology(mesh::type_of(c.surface), e));
       }
 }
 
@@ -100,7 +96,7 @@ TEST_CASE("Where the twist is no multiple of the fibre, an exceptional fibre is 
   CHECK(is_valid(skeleton));
   CHECK(!skeleton.has_boundary_faces());
   for (const VertexId v : all<VertexId>(skeleton.vertex_count())) CHECK(skeleton.link(v).is_sphere());
-  CHECK(h1(bundle.total) == "Z^2");
+  CHECK(first_homology(bundle.total) == "Z^2");
   CHECK(prove(bundle, skeleton).failure == "the fibre over vertex 0 has length 1, expected 3");
 }
 
@@ -140,7 +136,7 @@ TEST_CASE("The bundle of a disk is regular in the sense of Definition 5.1.1", "[
     const Proof proof = prove(bundle, skeleton);
     REQUIRE(proof.failure.empty()); // [2] and [3]: disjoint fibres of N edges
     CHECK(!proof.has_euler_number);
-    CHECK(h1(bundle.total) == "Z");
+    CHECK(first_homology(bundle.total) == "Z");
     // [1]: N copies of the base, disjoint, each with all its vertices. Copy j is the bottoms of level j.
     std::set<int> all;
     for (int j = 0; j < fiber; ++j) {
@@ -163,7 +159,7 @@ TEST_CASE("Surfaces with boundary have trivial bundles, also with handles and cr
         {with_holes(crosscaps(1), 1), std::string("Z + Z/2")}}) {
     const CircleBundle bundle = bundle_on_tree_cut(list.surface(), 0, 4);
     CHECK(prove(bundle, Skeleton(bundle.total)).failure.empty());
-    CHECK(h1(bundle.total) == homology);
+    CHECK(first_homology(bundle.total) == homology);
   }
 }
 

@@ -23,10 +23,6 @@ Plan plan_of(const mesh::Surface& surface, const PlanOptions& options) {
   return std::get<Plan>(plan(mesh::MarkedSurface(surface), options));
 }
 
-std::string h1(const Triangulation& tri) {
-  return algebra::homology(tri, Skeleton(tri), 1).str();
-}
-
 Triangulation simplified(const Triangulation& tri) {
   moves::Complex complex(tri);
   moves::simplify(complex);
@@ -72,7 +68,7 @@ TEST_CASE("Spheres: closed, H1 = Z/2, and two tetrahedra in the end, which are R
       const Plan p = plan_of(list.surface(), {fiber, {}, {}, {}});
       CHECK(p.method == Plan::Method::equator);
       const CircleBundle bundle = checked(p);
-      CHECK(h1(bundle.total) == "Z/2");
+      CHECK(first_homology(bundle.total) == "Z/2");
       if (bundle.total.size() > 2000) continue;
       const Triangulation small = simplified(bundle.total);
       CHECK(small.size() == 2);
@@ -124,7 +120,7 @@ TEST_CASE("Genus g: canonical loops, two of them plain, all others of N edges wi
             CHECK(gluing_map(band, p.recipe, {end, 0}).j % fiber == 0); // Corollary 7.4.2: one border fibre
       }
       const CircleBundle bundle = checked(p);
-      CHECK(h1(bundle.total) == expected_homology(mesh::type_of(p.cut.surface), 2 - 2 * genus));
+      CHECK(first_homology(bundle.total) == expected_homology(mesh::type_of(p.cut.surface), 2 - 2 * genus));
     }
 }
 
@@ -179,7 +175,7 @@ TEST_CASE("Higher genus and random retriangulations: H1 = Z^2g + Z/(2g-2)", "[bu
       const TriangleList list = relabelled(retriangulated(surface, random, 40 * genus, 10 * genus), random);
       const Plan p = plan_of(list.surface(), {1 + trial % 4, {}, {}, {}});
       const CircleBundle bundle = checked(p);
-      CHECK(h1(bundle.total) == expected_homology(mesh::type_of(p.cut.surface), 2 - 2 * genus));
+      CHECK(first_homology(bundle.total) == expected_homology(mesh::type_of(p.cut.surface), 2 - 2 * genus));
     }
   }
 }
@@ -192,7 +188,7 @@ TEST_CASE("Any Euler number on equators, canonical loops and short cut graphs", 
         const SurfaceType type = mesh::type_of(list.surface());
         INFO(type.str() << ", e = " << e);
         const CircleBundle bundle = checked(plan_of(list.surface(), {4, e, {}, cut}));
-        CHECK(h1(bundle.total) == expected_homology(type, e));
+        CHECK(first_homology(bundle.total) == expected_homology(type, e));
       }
 }
 
@@ -202,7 +198,7 @@ TEST_CASE("Two disks whose every boundary edge is twisted make lens spaces L(e,1
     const Plan p = plan_of(icosphere(1).surface(), {3, e, {}, {}});
     CHECK(static_cast<int>(bands(p.cut)[0][0].sides.size()) >= 3 * e);
     const CircleBundle bundle = checked(p);
-    CHECK(h1(bundle.total) == (e == 1 ? "0" : "Z/" + std::to_string(e)));
+    CHECK(first_homology(bundle.total) == (e == 1 ? "0" : "Z/" + std::to_string(e)));
     CHECK(simplified(bundle.total).size() <= std::max(2, e));
   }
 }

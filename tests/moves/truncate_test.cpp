@@ -3,6 +3,7 @@
 
 #include "support/enumeration.hpp"
 #include "support/groups.hpp"
+#include "support/homology.hpp"
 #include "support/laws.hpp"
 #include "support/links.hpp"
 #include "support/zoo.hpp"
@@ -24,10 +25,6 @@ using namespace tetrarch::moves;
 using namespace tetrarch::support;
 
 namespace {
-
-std::string first_homology(const Triangulation& tri) {
-  return algebra::homology(tri, Skeleton(tri), 1).str();
-}
 
 algebra::Presentation group_of(const Triangulation& tri) {
   return simplified(algebra::dual_presentation(tri, Skeleton(tri)).presentation);

@@ -10,6 +10,10 @@
 
 namespace tetrarch::support {
 
+inline std::string first_homology(const Triangulation& tri) {
+  return algebra::homology(tri, Skeleton(tri), 1).str();
+}
+
 /// H0 to H3; empty of what is no manifold.
 inline std::string homology_text(const Triangulation& tri) {
   const Skeleton skeleton(tri);
