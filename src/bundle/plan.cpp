@@ -42,7 +42,6 @@ public:
       if (give_inner_vertices(plan_.cut) > 0) twist = spread_twist(plan_.cut, total_);
     }
     std::vector<Shift> shift = shifts_of(plan_.cut, twist, root);
-    if (plan_.method == Method::equator) turn_half(shift);
     Values values = values_of(plan_.cut, twist, options_.boundary);
     if (values.obstruction) return *std::move(values.obstruction);
     plan_.recipe = {plan_.cut.surface, options_.fiber, std::move(shift), std::move(values.value)};
@@ -101,16 +100,6 @@ private:
       if (plan_.cut[s] >= 3 && left[plan_.cut[s]]-- > 0)
         twist[s.value] = twist[plan_.cut.surface.mate(s).value] = 1;
     return twist;
-  }
-
-  /// On a sphere the fibres are glued with half a turn besides (Yin, Definition 6.3.1), if there is one.
-  void turn_half(std::vector<Shift>& shift) const {
-    if (options_.fiber % 2 != 0) return;
-    for (const Side s : cut_edges(plan_.cut)) {
-      Shift& here = shift[s.value];
-      here = {here.start + options_.fiber / 2, here.stop + options_.fiber / 2};
-      shift[plan_.cut.surface.mate(s).value] = inverse(here, false);
-    }
   }
 
   const PlanOptions& options_;

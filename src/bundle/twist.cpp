@@ -68,20 +68,14 @@ std::vector<int> spread_twist(const MarkedSurface& cut, int total) {
   return twist;
 }
 
-int split_cut_edges(MarkedSurface& cut, int edges) {
-  std::vector<Side> sides = cut_edges(cut);
-  if (sides.empty() && edges > 0) throw PreconditionError("nothing is cut");
-  std::reverse(sides.begin(), sides.end());
-  int count = static_cast<int>(sides.size());
-  int splits = 0;
-  while (count < edges) {
-    // One round halves every edge; the next halves the halves.
-    for (std::size_t k = 0; k < sides.size() && count < edges; ++k, ++splits, ++count)
-      mesh::split_edge(cut, sides[k]);
-    sides = cut_edges(cut);
-    std::reverse(sides.begin(), sides.end());
+void split_cut_edges(MarkedSurface& cut, int edges) {
+  while (true) {
+    const std::vector<Side> sides = cut_edges(cut);
+    int missing = edges - static_cast<int>(sides.size());
+    if (missing <= 0) return;
+    if (sides.empty()) throw PreconditionError("nothing is cut");
+    for (auto s = sides.rbegin(); s != sides.rend() && missing > 0; ++s, --missing) mesh::split_edge(cut, *s);
   }
-  return splits;
 }
 
 namespace {

@@ -185,8 +185,10 @@ TEST_CASE("The indices of a section add up to the Euler number, those of a field
     }
 }
 
-TEST_CASE("A field in the plane that turns k times has index k at its zero", "[bundle]") {
-  // z^k: along a circle about 0 it turns by k, so that is the sum of the indices inside, all of them near 0.
+namespace {
+
+/// A grid of 16 x 16 squares around a point near its middle, triangulated.
+TriangleList plane_grid() {
   const int n = 16;
   TriangleList plane;
   plane.vertices = (n + 1) * (n + 1);
@@ -197,28 +199,47 @@ TEST_CASE("A field in the plane that turns k times has index k at its zero", "[b
       const int a = y * (n + 1) + x;
       plane.triangles.insert(plane.triangles.end(), {{a, a + 1, a + n + 2}, {a, a + n + 2, a + n + 1}});
     }
+  return plane;
+}
+
+/// The index of each triangle of a field in the plane, given by its angles against the x axis.
+template <class Angle>
+std::vector<int> plane_indices(const TriangleList& plane, Angle angle) {
   const mesh::Surface surface = plane.surface();
-  const auto angle_at = [&](int v) { return std::atan2(plane.points[v][1], plane.points[v][0]); };
+  std::vector<double> direction(plane.points.size(), 0);
+  std::vector<char> done(plane.points.size(), 0);
+  for (int t = 0; t < surface.triangle_count(); ++t)
+    for (int c = 0; c < 3; ++c) {
+      const int v = surface.corners(t)[c];
+      if (done[v]) continue;
+      done[v] = 1;
+      const mesh::SideEnd first = mesh::fan(surface, {mesh::Side(t, (c + 2) % 3), true}).front();
+      const auto& p = plane.points[v];
+      const auto& q = plane.points[surface.vertex({first.side, !first.at_start})];
+      direction[v] = (first.at_start ? 1 : -1) * (angle(p) - std::atan2(q[1] - p[1], q[0] - p[0]));
+    }
+  return field_indices(surface, plane.points, direction);
+}
+
+} // namespace
+
+TEST_CASE("A field in the plane that turns k times has index k at its zero", "[bundle]") {
+  // z^k: along a circle about 0 it turns by k, so that is the sum of the indices inside, all of them near 0.
+  const TriangleList plane = plane_grid();
   for (int k = -2; k <= 3; ++k) {
-    std::vector<double> direction(plane.points.size(), 0);
-    std::vector<char> done(plane.points.size(), 0);
-    for (int t = 0; t < surface.triangle_count(); ++t)
-      for (int c = 0; c < 3; ++c) {
-        const int v = surface.corners(t)[c];
-        if (done[v]) continue;
-        done[v] = 1;
-        const mesh::SideEnd first = mesh::fan(surface, {mesh::Side(t, (c + 2) % 3), true}).front();
-        const int w = surface.vertex({first.side, !first.at_start});
-        const double zero =
-            std::atan2(plane.points[w][1] - plane.points[v][1], plane.points[w][0] - plane.points[v][0]);
-        direction[v] = (first.at_start ? 1 : -1) * (k * angle_at(v) - zero);
-      }
-    const auto index = field_indices(surface, plane.points, direction);
+    const auto index = plane_indices(plane, [k](const auto& p) { return k * std::atan2(p[1], p[0]); });
     CHECK(std::accumulate(index.begin(), index.end(), 0) == k);
-    for (int t = 0; t < surface.triangle_count(); ++t)
+    for (std::size_t t = 0; t < index.size(); ++t)
       if (index[t] != 0)
-        for (const int v : surface.corners(t)) CHECK(std::hypot(plane.points[v][0], plane.points[v][1]) < 3);
+        for (const int v : plane.triangles[t]) CHECK(std::hypot(plane.points[v][0], plane.points[v][1]) < 3);
   }
+}
+
+TEST_CASE("A field without zero has no index, even if it turns nearly half round along an edge", "[bundle]") {
+  // By hand: from column to column it turns by 3.1 < pi; beyond pi the shorter way would be the other one.
+  const TriangleList plane = plane_grid();
+  for (const int axis : {0, 1})
+    for (const int i : plane_indices(plane, [axis](const auto& p) { return 3.1 * p[axis]; })) CHECK(i == 0);
 }
 
 TEST_CASE("Recipes that do not fit are the caller's mistake", "[bundle]") {

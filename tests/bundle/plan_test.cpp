@@ -76,7 +76,7 @@ TEST_CASE("Spheres: closed, H1 = Z/2, and two tetrahedra in the end, which are R
     }
 }
 
-TEST_CASE("On a sphere the fibres turn by 4 pi, and half a turn besides", "[bundle]") {
+TEST_CASE("On a sphere the gluing map is that of Definition 6.3.1, and the fibres turn by 4 pi", "[bundle]") {
   // Definition 6.3.1, with grid structure [4N, 2N]: Psi(2, i, j) = (1, -i, j - i + N).
   for (const int n : {2, 3}) {
     const Plan p = plan_of(icosphere(2).surface(), {2 * n, {}, {}, {}});
@@ -86,7 +86,7 @@ TEST_CASE("On a sphere the fibres turn by 4 pi, and half a turn besides", "[bund
     CHECK(twist_along(pair[0], p.recipe) == -4 * n);
     for (const Band& band : pair)
       for (const Side s : band.sides) CHECK(p.recipe.value[s.value] == 1); // Definition 6.2.2
-    // The equator has no first vertex; where the shift is N, i = 0.
+    // An equator has no first vertex: i = 0 is where the shift is N.
     int start = 0;
     while ((gluing_map(pair[0], p.recipe, {start, 0}).j - n) % (2 * n) != 0) ++start;
     REQUIRE(start < 4 * n);
@@ -190,6 +190,38 @@ TEST_CASE("Any Euler number on equators, canonical loops and short cut graphs", 
         const CircleBundle bundle = checked(plan_of(list.surface(), {4, e, {}, cut}));
         CHECK(first_homology(bundle.total) == expected_homology(type, e));
       }
+}
+
+TEST_CASE("Where every edge of a cut is twisted and no vertex lies inside, one is put there", "[bundle]") {
+  // By hand: the torus of one vertex has two edges in its cut, and e = 2 twists both if fibres have one edge;
+  // then the values of the two triangles would all be the same.
+  const Plan p = plan_of(glued_polygon(canonical_word(1)), {1, 2, {}, PlanOptions::Cut::any});
+  CHECK(p.splits() == 1);
+  CHECK(first_homology(checked(p).total) == "Z^2 + Z/2");
+}
+
+TEST_CASE("The audit of gluing maps finds what is wrong with them", "[bundle]") {
+  const Plan good = plan_of(genus_surface(2).surface(), {4, {}, {}, {}});
+  for (const auto& pair : bands(good.cut))
+    for (std::size_t i = 0; i < pair[0].sides.size(); ++i) {
+      const Side s = pair[0].sides[i];
+      REQUIRE(why_not_gluable(pair, good.recipe) == "");
+      Recipe bad = good.recipe;
+      bad.value[s.value] = static_cast<std::int8_t>(-bad.value[s.value]);
+      CHECK(why_not_gluable(pair, bad) == "the gluing map is no bijection of triangles that turns them over");
+      bad = good.recipe;
+      ++bad.shift[s.value].start; // this twists the edge the other way, or once more
+      CHECK(!why_not_gluable(pair, bad).empty());
+      ++bad.shift[s.value].stop; // this turns the whole edge
+      const bool alone = pair[0].sides.size() == 1;
+      if (!alone)
+        CHECK(why_not_gluable(pair, bad) ==
+              "edge " + std::to_string(i == 0 ? 1 : i) + ": the gluing map jumps along the curve");
+      auto crossed = pair;
+      std::swap(crossed[1], crossed[0]);
+      std::reverse(crossed[1].sides.begin(), crossed[1].sides.end());
+      if (!alone) CHECK(!why_not_gluable(crossed, good.recipe).empty());
+    }
 }
 
 TEST_CASE("Two disks whose every boundary edge is twisted make lens spaces L(e,1)", "[bundle]") {

@@ -14,10 +14,10 @@
 ///                             (anti-diagonal edges).
 ///
 /// The gluing map takes (a, i, j) to (a^-1, M - i, j + c(i)), or to (a', i, -j + c(i)) where the banks run
-/// together. On a sphere, where the curve is closed and every value +1, c(i) = N/2 - i; on the curves of a
-/// surface of higher genus that are twisted, c(i) = i. Fibre paths go to fibre paths; base paths to diagonal
-/// paths and back where the curve is twisted, else to base paths.
-/// Source: Yin, 6.2 to 6.4 and 7.2 to 7.4.
+/// together. On a sphere, where the curve is closed and every value +1, c(i) = N/2 - i if one counts from the
+/// right vertex; on the curves of a surface of higher genus that are twisted, c(i) = i. Fibre paths go to
+/// fibre paths; base paths to diagonal paths and back where the curve is twisted, else to base paths. Source:
+/// Yin, 6.2 to 6.4 and 7.2 to 7.4.
 
 #include "tetrarch/bundle/circle_bundle.hpp"
 #include "tetrarch/mesh/marked_surface.hpp"

@@ -7,7 +7,8 @@
 /// twisted by one step, and the shifts are found as a flow on the graph. Where the shifts are not free the
 /// flow runs along a spanning tree, towards a root at which it drains away in whole turns. Canonical loops
 /// and equators, on which the dissertation builds, are cut graphs; there the same twists and shifts come out
-/// as in its Definitions 6.3.1 (but for a constant) and 7.3.1. Source: Yin, chapters 6 and 7, generalised.
+/// as in its Definitions 6.3.1 (i counted from the right vertex) and 7.3.1. Source: Yin, chapters 6 and 7,
+/// generalised.
 
 #include "tetrarch/bundle/circle_bundle.hpp"
 #include "tetrarch/mesh/marked_surface.hpp"
@@ -32,9 +33,9 @@ std::vector<Side> cut_edges(const mesh::MarkedSurface& cut);
 /// O(n).
 std::vector<int> spread_twist(const mesh::MarkedSurface& cut, int total);
 
-/// Splits cut edges, one after the other, until there are at least `edges`; returns how many splits. The
-/// curves of higher marks come first.
-int split_cut_edges(mesh::MarkedSurface& cut, int edges);
+/// Splits cut edges, in rounds in which each is halved, until there are at least `edges`; the curves of
+/// higher marks come first. The history is the surface's. O(n + splits * log(splits)).
+void split_cut_edges(mesh::MarkedSurface& cut, int edges);
 
 /// Shifts with the given twists on a connected cut graph, such that they cancel around every vertex but one,
 /// around which they add up to the sum of the twists; at the root's end of edges outside the spanning tree
