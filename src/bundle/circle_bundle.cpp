@@ -54,7 +54,7 @@ struct WallPoint {
 
 class Assembly {
 public:
-  explicit Assembly(Recipe recipe) : recipe_(std::move(recipe)) {
+  Assembly(Recipe recipe, const Progress& progress) : recipe_(std::move(recipe)), progress_(progress) {
     const long long size = 3LL * recipe_.fiber * recipe_.base.triangle_count();
     if (recipe_.fiber < 1) throw PreconditionError("a fibre needs at least one edge");
     if (size > std::numeric_limits<int>::max())
@@ -69,6 +69,7 @@ public:
   CircleBundle run() && {
     out_.order.resize(static_cast<std::size_t>(recipe_.base.triangle_count()));
     for (int t = 0; t < recipe_.base.triangle_count(); ++t) {
+      step(t);
       out_.order[t] = order_of(t);
       fill_ring(t);
     }
@@ -82,6 +83,11 @@ public:
   }
 
 private:
+  /// A ring of prisms takes microseconds.
+  void step(int triangle) const {
+    if (triangle % 256 == 0)
+      progress_.step("piling prisms", static_cast<double>(triangle) / recipe_.base.triangle_count());
+  }
   int tet(int triangle, int level, int k) const { return 3 * (recipe_.fiber * triangle + level) + k; }
 
   Order order_of(int t) const {
@@ -172,6 +178,7 @@ private:
   }
 
   Recipe recipe_;
+  const Progress& progress_;
   CircleBundle out_;
 };
 
@@ -189,8 +196,8 @@ int CircleBundle::level(TetVertex v) const {
   return v.tet / 3 % fiber + prism[v.tet % 3][v.vertex].above;
 }
 
-CircleBundle assemble(Recipe recipe) {
-  return Assembly(std::move(recipe)).run();
+CircleBundle assemble(Recipe recipe, const Progress& progress) {
+  return Assembly(std::move(recipe), progress).run();
 }
 
 } // namespace tetrarch::bundle

@@ -31,13 +31,16 @@ public:
   Prover(const CircleBundle& bundle, const Skeleton& skeleton)
       : bundle_(bundle), skeleton_(skeleton), tets_(bundle.total.size()) {}
 
-  Proof run() && {
+  Proof run(const Progress& progress) && {
     try {
+      progress.step("proving");
       check_projection();
       check_manifold();
       orient();
+      progress.step("proving");
       follow_rings();
       follow_fibers();
+      progress.step("proving");
       find_references();
       count_euler_number();
     } catch (const Failure& failure) {
@@ -302,9 +305,9 @@ private:
 
 } // namespace
 
-Proof prove(const CircleBundle& bundle, const Skeleton& skeleton) {
+Proof prove(const CircleBundle& bundle, const Skeleton& skeleton, const Progress& progress) {
   skeleton.require_current(bundle.total);
-  return Prover(bundle, skeleton).run();
+  return Prover(bundle, skeleton).run(progress);
 }
 
 } // namespace tetrarch::bundle

@@ -739,6 +739,7 @@ class Bundle(unittest.TestCase):
         self.assertIn("expected 1 to", self.refused(cube, "--fiber", "0"))
         self.assertIn("multiple of the fibre's 4 edges", self.refused(torus, "--fiber", "4", "--twist", "6"))
         self.assertIn("closed", self.refused(cube, "--boundary", self.path("b.txt", "")))
+        self.assertIn("are allowed (--memory)", self.refused(cube, "--fiber", "1000000"))
         self.assertIn("no such folder", self.refused(cube, "-o", "/nowhere/b.json"))
         self.assertIn("extension", self.refused(cube, "-o", self.path("b.xyz")))
         self.assertIn("Euler number", self.refused(self.path("t.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"), "--euler", "1"))

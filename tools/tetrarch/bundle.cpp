@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "command.hpp"
+#include "embedding.hpp"
 #include "info.hpp"
 #include "output.hpp"
 #include "surface_input.hpp"
@@ -38,6 +39,7 @@ struct Options {
   std::string show = "tori";
   PlanOptions plan;
   std::optional<int> twist;
+  double memory = 4;
   bool repair = false;
 };
 
@@ -187,20 +189,31 @@ void add_outputs(Result& result, const Plan& plan, const bundle::CircleBundle& b
   }
 }
 
+void require_room(const PlanOptions& wanted, double triangles, const Options& options) {
+  require_memory("--fiber " + std::to_string(wanted.fiber),
+                 bundle::bundle_bytes(3.0 * wanted.fiber * triangles), options.memory);
+}
+
 Result run_bundle(const Options& options, const Context& context) {
   require_outputs(options);
   SurfaceInput surface = read_surface(options.input, options.repair);
   const PlanOptions wanted = plan_options(options, surface);
   const SurfaceType type = mesh::type_of(surface.mesh.surface);
   const int triangles = surface.mesh.surface.triangle_count();
+  // Before anything is computed: a twisted edge has two sides, a triangle three.
+  const double twisted =
+      2.0 * std::abs(wanted.euler.value_or(type.is_closed() ? type.euler : 0)) * wanted.fiber;
+  require_room(wanted, std::max<double>(triangles, twisted / 3), options);
   auto planned = bundle::plan(mesh::MarkedSurface(surface.mesh.surface, surface.mesh.points), wanted);
   if (const auto* found = std::get_if<bundle::Obstruction>(&planned))
     return obstructed(*found, surface, options);
   const Plan& plan = std::get<Plan>(planned);
   audit(plan);
-  const bundle::CircleBundle bundle = bundle::assemble(plan.recipe);
-  context.progress.step("checking", 0.5);
-  const bundle::Proof proof = bundle::prove(bundle, Skeleton(bundle.total));
+  require_memory("--fiber " + std::to_string(wanted.fiber),
+                 bundle::bundle_bytes(3.0 * wanted.fiber * plan.cut.surface.triangle_count()),
+                 options.memory);
+  const bundle::CircleBundle bundle = bundle::assemble(plan.recipe, context.progress);
+  const bundle::Proof proof = bundle::prove(bundle, Skeleton(bundle.total), context.progress);
   if (!proof.failure.empty()) throw PreconditionError(proof.failure);
   if (proof.has_euler_number && proof.euler_number != plan.euler)
     throw PreconditionError("the Euler number counted is " + std::to_string(proof.euler_number));
@@ -267,6 +280,7 @@ Run declare_bundle(CLI::App& app) {
       ->check(CLI::IsMember({"tori", "surface"}))
       ->capture_default_str();
   app.add_option("--obstruction", o->obstruction, "where to write the part of a disk that has no solution");
+  app.add_option("--memory", o->memory, "gigabytes that may be used")->capture_default_str();
   app.add_flag("--repair", o->repair,
                "mend orientation, unused vertices, duplicates, degenerate triangles first");
   return [o](const Context& context) { return run_bundle(*o, context); };

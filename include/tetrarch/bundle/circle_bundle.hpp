@@ -25,6 +25,7 @@
 /// Source: Yin, Definitions 6.2.1 to 6.3.1 and 7.2.1 to 7.3.1, which are special cases.
 
 #include "tetrarch/bundle/cutting_pattern.hpp"
+#include "tetrarch/core/progress.hpp"
 #include "tetrarch/core/triangulation.hpp"
 
 #include <array>
@@ -71,6 +72,11 @@ struct CircleBundle {
 
 /// Glues the prisms. Throws `PreconditionError` where a triangle has three equal values or values and shifts
 /// do not fit. Nothing is asked about the vertices: see proof.hpp. O(tetrahedra).
-CircleBundle assemble(Recipe recipe);
+CircleBundle assemble(Recipe recipe, const Progress& progress = {});
+
+/// Bytes that assembling, proving and describing so many tetrahedra takes at the peak, as measured.
+inline double bundle_bytes(double tetrahedra) {
+  return 290 * tetrahedra;
+}
 
 } // namespace tetrarch::bundle

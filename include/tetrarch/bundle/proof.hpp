@@ -53,6 +53,6 @@ struct Proof {
 };
 
 /// O(tetrahedra). The skeleton must be that of `bundle.total`.
-Proof prove(const CircleBundle& bundle, const Skeleton& skeleton);
+Proof prove(const CircleBundle& bundle, const Skeleton& skeleton, const Progress& progress = {});
 
 } // namespace tetrarch::bundle
