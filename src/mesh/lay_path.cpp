@@ -9,6 +9,7 @@
 #include <limits>
 #include <numeric>
 #include <queue>
+#include <string>
 #include <utility>
 
 namespace tetrarch::mesh {
@@ -35,8 +36,10 @@ public:
   std::vector<double> vertex_distances() const {
     return {distance_.begin(), distance_.begin() + open_.vertex_count()};
   }
-  /// The chords on the way to a vertex, each as one of its sides, and the edges on it, last first.
+  /// The chords on the way to a vertex, each as one of its sides, and the edges on it, last first: those of
+  /// the first surface; the diagonals, in runs between vertices.
   std::vector<Side> chords_to(int vertex) const;
+  std::vector<std::vector<Side>> diagonals_to(int vertex) const;
   std::vector<SideEnd> edges_to(int vertex) const;
 
 private:
@@ -49,6 +52,12 @@ private:
   int middle_of(Side s) const { return open_.vertex_count() + std::min(s.value, open_.mate(s).value); }
   bool is_chord(Side s) const {
     return !open_.is_boundary(s) && !is_free_[open_.from(s)] && !is_free_[open_.to(s)];
+  }
+  /// An edge that only splits have put into a triangle of the first surface.
+  bool is_diagonal(Side s) const {
+    const int here = s.triangle();
+    const int there = open_.mate(s).triangle();
+    return here != there && surface_.origin[here] == surface_.origin[there];
   }
   std::array<double, 3> place(int node) const;
   double surcharge(int node) const;
@@ -97,7 +106,7 @@ std::array<double, 3> Search::place(int node) const {
 }
 
 double Search::surcharge(int node) const {
-  if (is_middle(node)) return chord_cost;
+  if (is_middle(node)) return is_diagonal(chord(node)) ? 0 : chord_cost;
   return is_crowded_[node] ? crowd_cost : 0;
 }
 
@@ -160,8 +169,20 @@ void Search::relax(int node, int next, SideEnd along) {
 std::vector<Side> Search::chords_to(int vertex) const {
   std::vector<Side> chords;
   for (int node = vertex; node >= 0; node = step_[node].from)
-    if (is_middle(node)) chords.push_back(chord(node));
+    if (is_middle(node) && !is_diagonal(chord(node))) chords.push_back(chord(node));
   return chords;
+}
+
+std::vector<std::vector<Side>> Search::diagonals_to(int vertex) const {
+  std::vector<std::vector<Side>> runs(1);
+  for (int node = step_[vertex].from; node >= 0; node = step_[node].from) {
+    if (is_middle(node))
+      runs.back().push_back(chord(node));
+    else if (!runs.back().empty())
+      runs.emplace_back();
+  }
+  if (runs.back().empty()) runs.pop_back();
+  return runs;
 }
 
 std::vector<SideEnd> Search::edges_to(int vertex) const {
@@ -184,6 +205,30 @@ void split_all(MarkedSurface& surface, const std::vector<Side>& chords) {
       else if (to_do[l] == m.next())
         to_do[l] = Side(added + 1, m.next().corner());
     }
+  }
+}
+
+/// Flips the diagonals that a path crosses between two vertices out of its way, one after the other, each
+/// from the triangle whose apex is the first vertex. Between two flips the path starts across the next
+/// diagonal.
+void flip_all(MarkedSurface& surface, const std::vector<Side>& diagonals) {
+  const Surface& whole = surface.surface;
+  const auto touches = [&](Side s, int triangle) {
+    return s.triangle() == triangle || whole.mate(s).triangle() == triangle;
+  };
+  Side s = diagonals.front();
+  if (diagonals.size() > 1 && touches(diagonals[1], s.triangle())) s = whole.mate(s);
+  for (std::size_t k = 0; k < diagonals.size(); ++k) {
+    const Side m = whole.mate(s);
+    // An earlier flip may have given the side to another edge; only what splits have made may go.
+    if (!m.exists() || surface.is_cut(s) || m.triangle() == s.triangle() ||
+        surface.origin[s.triangle()] != surface.origin[m.triangle()])
+      return;
+    const bool is_last = k + 1 == diagonals.size();
+    if (!is_last && !touches(diagonals[k + 1], m.triangle())) return; // a path found anew will tell
+    const bool moves = !is_last && (diagonals[k + 1] == m.next() || whole.mate(diagonals[k + 1]) == m.next());
+    flip_edge(surface, s);
+    if (!moves) s = m.previous();
   }
 }
 
@@ -222,8 +267,10 @@ std::vector<double> path_lengths(const MarkedSurface& surface, const Surface& op
 
 SplitCount lay_path(MarkedSurface& surface, int m, const Places& from, const Places& to) {
   SplitCount count;
-  // Once chords are split, the search finds the way over their middles, or a cheaper one.
-  while (true) {
+  // Once chords are split, the search finds the way over their middles, or a cheaper one; likewise once
+  // diagonals are flipped. Every round crosses fewer; the budget is for mistakes of ours.
+  constexpr int most_rounds = 100'000;
+  for (int round = 0; round < most_rounds; ++round) {
     const Surface open = cut_open(surface);
     Search search(surface, open);
     const int end = search.run(from(open), to(open));
@@ -234,13 +281,17 @@ SplitCount lay_path(MarkedSurface& surface, int m, const Places& from, const Pla
       continue;
     }
     const std::vector<Side> chords = search.chords_to(end);
-    if (chords.empty()) {
+    const std::vector<std::vector<Side>> diagonals = search.diagonals_to(end);
+    if (chords.empty() && diagonals.empty()) {
       for (const SideEnd e : search.edges_to(end)) set_mark(surface, e.side, e.at_start ? m : -m);
       return count;
     }
+    if (chords.empty())
+      for (const auto& run : diagonals) flip_all(surface, run);
     split_all(surface, chords);
     count.edges += static_cast<int>(chords.size());
   }
+  throw PreconditionError("no path was found in " + std::to_string(most_rounds) + " rounds");
 }
 
 } // namespace tetrarch::mesh

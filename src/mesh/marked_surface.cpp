@@ -56,6 +56,10 @@ void turn_triangles(MarkedSurface& surface, const std::vector<int>& sign) {
     if (over[t]) std::swap(surface.mark[Side(t, 1).value], surface.mark[Side(t, 2).value]);
 }
 
+void flip_edge(MarkedSurface& surface, Side s) {
+  surface.surface.flip_edge(s, &surface.mark);
+}
+
 Surface cut_open(const MarkedSurface& surface) {
   const Surface& whole = surface.surface;
   Table<Side, Side> mate(whole.side_count());

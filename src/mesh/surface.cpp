@@ -248,6 +248,19 @@ int Surface::split_face(int triangle, std::vector<int>* carried, std::vector<int
   return centre;
 }
 
+void Surface::flip_edge(Side s, std::vector<int>* carried) {
+  const Side m = mate(s);
+  unglue(s);
+  // Each triangle gives up the end of its side and takes the other one's apex.
+  const int apex = triangles_[s.triangle()][s.corner()];
+  triangles_[s.triangle()][s.previous().corner()] = triangles_[m.triangle()][m.corner()];
+  triangles_[m.triangle()][m.previous().corner()] = apex;
+  const Side of_s = s.next();
+  move_side(m.next(), s, carried);
+  move_side(of_s, m, carried);
+  glue(s.next(), m.next(), false);
+}
+
 std::vector<SideEnd> fan(const Surface& surface, SideEnd e) {
   // Back to the boundary, or once around.
   const SideEnd start = e;

@@ -4,6 +4,7 @@
 #include "bundle/bundles.hpp"
 #include "support/homology.hpp"
 #include "tetrarch/bundle/section.hpp"
+#include "tetrarch/bundle/vector_field.hpp"
 #include "tetrarch/core/error.hpp"
 #include "tetrarch/core/signature.hpp"
 
@@ -233,6 +234,23 @@ TEST_CASE("A field in the plane that turns k times has index k at its zero", "[b
       if (index[t] != 0)
         for (const int v : plane.triangles[t]) CHECK(std::hypot(plane.points[v][0], plane.points[v][1]) < 3);
   }
+}
+
+TEST_CASE("A constant vector projected to a globe has its zeros at two poles", "[bundle]") {
+  // By hand: index 1 where the vector is normal to the sphere, 0 elsewhere.
+  const TriangleList globe = icosphere(4);
+  const std::array<double, 3> axis{0.3, -0.5, 0.81};
+  const auto index =
+      field_indices(globe.surface(), globe.points, projected_field(globe.surface(), globe.points, axis));
+  int poles = 0;
+  for (std::size_t t = 0; t < index.size(); ++t) {
+    poles += index[t];
+    const auto& p = globe.points[globe.triangles[t][0]];
+    const double height =
+        (p[0] * axis[0] + p[1] * axis[1] + p[2] * axis[2]) / std::hypot(axis[0], axis[1], axis[2]);
+    if (index[t] != 0) CHECK(std::abs(height) > 0.99);
+  }
+  CHECK(poles == 2);
 }
 
 TEST_CASE("A field without zero has no index, even if it turns nearly half round along an edge", "[bundle]") {

@@ -691,6 +691,13 @@ class Bundle(unittest.TestCase):
             self.assertEqual(made["section"]["index_sum"], euler)
             self.assertEqual(made["tetrahedra"], 3 * 4 * made["refined"]["triangles"])
 
+    def test_a_projected_field(self):
+        # Along a plate with two holes the long way: few singular triangles, unlike a random field's.
+        _, made = run_json("bundle", self.surface("double_torus.off"), "--fiber", "2", "--field", "0.9", "0.2", "0.3")
+        self.assertEqual(made["field"]["index_sum"], -2)
+        self.assertLess(made["field"]["singular_triangles"], 20)
+        self.assertIn("--field", self.refused(self.surface("cube.off"), "--field", "1", "2"))
+
     def test_other_euler_numbers(self):
         for name, euler, homology in (("cube.off", 5, "Z/5"), ("cube.off", 1, "0"), ("torus.off", 3, "Z^2 + Z/3"), ("double_torus.off", 0, "Z^5")):
             for cut in ("dissertation", "any"):

@@ -10,6 +10,7 @@
 #include "tetrarch/bundle/plan.hpp"
 #include "tetrarch/bundle/proof.hpp"
 #include "tetrarch/bundle/section.hpp"
+#include "tetrarch/bundle/vector_field.hpp"
 #include "tetrarch/core/error.hpp"
 #include "tetrarch/core/random.hpp"
 #include "tetrarch/format/mesh_files.hpp"
@@ -37,6 +38,7 @@ struct Options {
   std::string boundary = "free";
   std::string obstruction;
   std::string show = "tori";
+  std::vector<double> field; ///< a constant vector to be projected; none: random directions
   PlanOptions plan;
   std::optional<int> twist;
   double memory = 4;
@@ -145,17 +147,19 @@ Json cut_json(const Plan& plan) {
   return json;
 }
 
-/// A field of directions on the surface and a section of the bundle, both at random.
+/// A field of directions on the surface, and a section of the bundle at random.
 struct Singularities {
   std::vector<int> field;
   std::vector<int> section;
 };
 
 Singularities singularities(const Plan& plan, const bundle::CircleBundle& bundle, const bundle::Proof& proof,
-                            std::uint64_t seed) {
+                            const std::vector<double>& field, std::uint64_t seed) {
   SplitMix64 random(seed);
   std::vector<double> direction(static_cast<std::size_t>(bundle.base.vertex_count()));
   for (double& d : direction) d = random.uniform() * 2 * std::numbers::pi;
+  if (!field.empty())
+    direction = bundle::projected_field(bundle.base, plan.cut.points, {field[0], field[1], field[2]});
   std::vector<double> place(direction.size());
   for (double& p : place) p = random.uniform() * bundle.fiber;
   return {bundle::field_indices(bundle.base, plan.cut.points, direction),
@@ -220,7 +224,7 @@ Result run_bundle(const Options& options, const Context& context) {
 
   constexpr int small = 2'000; // tetrahedra; beyond, nobody reads a signature or a group
   Info info = info_of(bundle.total, "", context.progress, bundle.total.size() > small);
-  const Singularities singular = singularities(plan, bundle, proof, context.seed);
+  const Singularities singular = singularities(plan, bundle, proof, options.field, context.seed);
   Result result;
   result.warnings = surface.warnings;
   result.json = std::move(info.json);
@@ -240,7 +244,7 @@ Result run_bundle(const Options& options, const Context& context) {
       {"fibres", counted(bundle.base.vertex_count(), "circle") + " of " + counted(bundle.fiber, "edge")},
       {"Euler number", proof.has_euler_number ? std::to_string(proof.euler_number) : "none (boundary)"}};
   if (proof.has_euler_number)
-    rows.emplace_back("random field",
+    rows.emplace_back(options.field.empty() ? "random field" : "field",
                       counted(result.json["field"]["singular_triangles"].get<int>(), "singular triangle") +
                           ", indices adding up to " +
                           std::to_string(result.json["field"]["index_sum"].get<int>()));
@@ -279,6 +283,9 @@ Run declare_bundle(CLI::App& app) {
   app.add_option("--show", o->show, "what pictures show: tori, or the surface with its cut and singularities")
       ->check(CLI::IsMember({"tori", "surface"}))
       ->capture_default_str();
+  app.add_option("--field", o->field,
+                 "X Y Z: instead of random directions, this vector projected to the surface")
+      ->expected(3);
   app.add_option("--obstruction", o->obstruction, "where to write the part of a disk that has no solution");
   app.add_option("--memory", o->memory, "gigabytes that may be used")->capture_default_str();
   app.add_flag("--repair", o->repair,

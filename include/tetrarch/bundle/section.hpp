@@ -21,12 +21,4 @@ namespace tetrarch::bundle {
 /// `PreconditionError` unless there is a finite place for each vertex. O(triangles).
 std::vector<int> indices(const CircleBundle& bundle, const Fibers& fibers, const std::vector<double>& place);
 
-/// A direction at each vertex of a surface in space, as an angle from the first edge of the vertex's fan,
-/// where the angles between edges are scaled to 2 pi in all around an inner vertex; and the index of each
-/// triangle for it, where along each edge it turns the shorter way against the parallel one. `points` are
-/// those of the vertices; triangles of angles that cannot be told are taken as equilateral. Law: on a closed
-/// surface, of whatever type, the indices add up to chi. O(triangles).
-std::vector<int> field_indices(const mesh::Surface& surface, const std::vector<std::array<double, 3>>& points,
-                               const std::vector<double>& direction);
-
 } // namespace tetrarch::bundle

@@ -48,6 +48,9 @@ int split_face(MarkedSurface& surface, int triangle);
 /// Turns the triangles of sign -1 over: corners 1 and 2 are exchanged, and so are sides 1 and 2. O(n).
 void turn_triangles(MarkedSurface& surface, const std::vector<int>& sign);
 
+/// As `Surface::flip_edge`; the edge must not be marked.
+void flip_edge(MarkedSurface& surface, Side s);
+
 /// The surface cut open along all marked edges: the same triangles and sides, vertices as far apart as the
 /// cut has torn them. O(n).
 Surface cut_open(const MarkedSurface& surface);

@@ -73,6 +73,11 @@ public:
   /// Puts a vertex into a triangle and joins it with the corners. As above. O(1).
   int split_face(int triangle, std::vector<int>* carried = nullptr, std::vector<int>* origin = nullptr);
 
+  /// Replaces an edge between two different triangles, whose mates are not turned, by the other diagonal of
+  /// the quadrilateral. Side s and its mate become the sides that its next sides were. `carried` as above.
+  /// O(1).
+  void flip_edge(Side s, std::vector<int>* carried = nullptr);
+
 private:
   void name_vertices();
   void glue(Side s, Side m, bool turned);
