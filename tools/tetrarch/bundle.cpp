@@ -198,61 +198,89 @@ void require_room(const PlanOptions& wanted, double triangles, const Options& op
                  bundle::bundle_bytes(3.0 * wanted.fiber * triangles), options.memory);
 }
 
-Result run_bundle(const Options& options, const Context& context) {
-  require_outputs(options);
-  SurfaceInput surface = read_surface(options.input, options.repair);
-  const PlanOptions wanted = plan_options(options, surface);
-  const SurfaceType type = mesh::type_of(surface.mesh.surface);
-  const int triangles = surface.mesh.surface.triangle_count();
-  // Before anything is computed: a twisted edge has two sides, a triangle three.
-  const double twisted =
-      2.0 * std::abs(wanted.euler.value_or(type.is_closed() ? type.euler : 0)) * wanted.fiber;
-  require_room(wanted, std::max<double>(triangles, twisted / 3), options);
-  auto planned = bundle::plan(mesh::MarkedSurface(surface.mesh.surface, surface.mesh.points), wanted);
-  if (const auto* found = std::get_if<bundle::Obstruction>(&planned))
-    return obstructed(*found, surface, options);
-  const Plan& plan = std::get<Plan>(planned);
+/// Before anything is computed: a twisted edge has two sides, a triangle three.
+void require_room(const PlanOptions& wanted, const SurfaceInput& surface, const SurfaceType& type,
+                  const Options& options) {
+  const int euler = wanted.euler.value_or(type.is_closed() ? type.euler : 0);
+  const double twisted = 2.0 * std::abs(euler) * wanted.fiber / 3;
+  require_room(wanted, std::max<double>(surface.mesh.surface.triangle_count(), twisted), options);
+}
+
+/// A bundle that is proved to be what was planned; a failure here is ours.
+struct Made {
+  bundle::CircleBundle bundle;
+  bundle::Proof proof;
+};
+
+Made make(const Plan& plan, const Context& context) {
   audit(plan);
-  require_memory("--fiber " + std::to_string(wanted.fiber),
-                 bundle::bundle_bytes(3.0 * wanted.fiber * plan.cut.surface.triangle_count()),
-                 options.memory);
-  const bundle::CircleBundle bundle = bundle::assemble(plan.recipe, context.progress);
-  const bundle::Proof proof = bundle::prove(bundle, Skeleton(bundle.total), context.progress);
+  bundle::CircleBundle bundle = bundle::assemble(plan.recipe, context.progress);
+  bundle::Proof proof = bundle::prove(bundle, Skeleton(bundle.total), context.progress);
   if (!proof.failure.empty()) throw PreconditionError(proof.failure);
   if (proof.has_euler_number && proof.euler_number != plan.euler)
     throw PreconditionError("the Euler number counted is " + std::to_string(proof.euler_number));
+  return {std::move(bundle), std::move(proof)};
+}
+
+Json details_json(const Plan& plan, const Made& made, const Singularities& singular) {
+  Json json;
+  json["fiber"] = made.bundle.fiber;
+  json["euler_number"] = made.proof.has_euler_number ? Json(made.proof.euler_number) : Json();
+  json["closed"] = made.proof.has_euler_number;
+  json["refined"] = {{"triangles", made.bundle.base.triangle_count()}, {"splits", plan.splits()}};
+  json["cut"] = cut_json(plan);
+  json["field"] = made.proof.has_euler_number ? index_json(singular.field) : Json();
+  json["section"] = made.proof.has_euler_number ? index_json(singular.section) : Json();
+  return json;
+}
+
+using Rows = std::vector<std::pair<std::string, std::string>>;
+
+Rows details_rows(const Plan& plan, const Json& details, const Made& made, const Options& options) {
+  Rows rows{{"cut along", name_of(plan.method)},
+            {"refined by", counted(plan.splits(), "split")},
+            {"fibres", counted(made.bundle.base.vertex_count(), "circle") + " of " +
+                           counted(made.bundle.fiber, "edge")},
+            {"Euler number",
+             made.proof.has_euler_number ? std::to_string(made.proof.euler_number) : "none (boundary)"}};
+  if (const Json& field = details["field"]; !field.is_null())
+    rows.emplace_back(options.field.empty() ? "random field" : "field",
+                      counted(field["singular_triangles"].get<int>(), "singular triangle") +
+                          ", indices adding up to " + std::to_string(field["index_sum"].get<int>()));
+  return rows;
+}
+
+Result run_bundle(const Options& options, const Context& context) {
+  require_outputs(options);
+  const SurfaceInput surface = read_surface(options.input, options.repair);
+  const PlanOptions wanted = plan_options(options, surface);
+  const SurfaceType type = mesh::type_of(surface.mesh.surface);
+  require_room(wanted, surface, type, options);
+  const auto planned = bundle::plan(mesh::MarkedSurface(surface.mesh.surface, surface.mesh.points), wanted);
+  if (const auto* found = std::get_if<bundle::Obstruction>(&planned))
+    return obstructed(*found, surface, options);
+  const Plan& plan = std::get<Plan>(planned);
+  require_room(wanted, plan.cut.surface.triangle_count(), options);
+  const Made made = make(plan, context);
 
   constexpr int small = 2'000; // tetrahedra; beyond, nobody reads a signature or a group
-  Info info = info_of(bundle.total, "", context.progress, bundle.total.size() > small);
-  const Singularities singular = singularities(plan, bundle, proof, options.field, context.seed);
-  Result result;
-  result.warnings = surface.warnings;
-  result.json = std::move(info.json);
-  result.json["fiber"] = bundle.fiber;
-  result.json["euler_number"] = proof.has_euler_number ? Json(proof.euler_number) : Json();
-  result.json["closed"] = type.is_closed();
-  result.json["surface"] = {{"type", type.str()}, {"triangles", triangles}, {"euler", type.euler}};
-  result.json["refined"] = {{"triangles", bundle.base.triangle_count()}, {"splits", plan.splits()}};
-  result.json["cut"] = cut_json(plan);
-  result.json["field"] = proof.has_euler_number ? index_json(singular.field) : Json();
-  result.json["section"] = proof.has_euler_number ? index_json(singular.section) : Json();
-  std::vector<std::pair<std::string, std::string>> rows{
-      {"surface", type.str() + ", " + counted(triangles, "triangle") + ", Euler characteristic " +
-                      std::to_string(type.euler)},
-      {"cut along", name_of(plan.method)},
-      {"refined by", counted(plan.splits(), "split")},
-      {"fibres", counted(bundle.base.vertex_count(), "circle") + " of " + counted(bundle.fiber, "edge")},
-      {"Euler number", proof.has_euler_number ? std::to_string(proof.euler_number) : "none (boundary)"}};
-  if (proof.has_euler_number)
-    rows.emplace_back(options.field.empty() ? "random field" : "field",
-                      counted(result.json["field"]["singular_triangles"].get<int>(), "singular triangle") +
-                          ", indices adding up to " +
-                          std::to_string(result.json["field"]["index_sum"].get<int>()));
+  Info info = info_of(made.bundle.total, "", context.progress, made.bundle.total.size() > small);
   // A signature as long as a page is for programs.
   if (!info.rows.empty() && info.rows.back().second.size() > 100) info.rows.pop_back();
-  rows.insert(rows.end(), info.rows.begin(), info.rows.end());
+  const Singularities singular = singularities(plan, made.bundle, made.proof, options.field, context.seed);
+  const Json details = details_json(plan, made, singular);
+  const int triangles = surface.mesh.surface.triangle_count();
+  Rows rows{{"surface", type.str() + ", " + counted(triangles, "triangle") + ", Euler characteristic " +
+                            std::to_string(type.euler)}};
+  for (const Rows& more : {details_rows(plan, details, made, options), info.rows})
+    rows.insert(rows.end(), more.begin(), more.end());
+  Result result;
+  result.warnings = surface.warnings;
   result.text = block(rows);
-  add_outputs(result, plan, bundle, singular.field, options);
+  result.json = std::move(info.json);
+  result.json["surface"] = {{"type", type.str()}, {"triangles", triangles}, {"euler", type.euler}};
+  result.json.update(details);
+  add_outputs(result, plan, made.bundle, singular.field, options);
   return result;
 }
 
