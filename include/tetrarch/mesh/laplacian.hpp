@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+/// The cotangent Laplacian: how much of a function flows out of each vertex.
+///
+///            v                 Linear on each triangle, f has the Dirichlet energy sum w(s) (f(v) - f(u))^2
+///          / | \               over all sides s = uv, where w(s) is half the cotangent of the angle
+///          opposite.
+///         a--|--b              (L f)(v) = sum of (w(s) + w(mate)) (f(v) - f(u)) over the edges at v is its
+///          \ | /               gradient, halved, with the sign of -Laplace. Where f is harmonic around v it
+///            u                 is 0; summed over a boundary loop it is the flux of f out through the loop.
+///
+/// L is symmetric and positive semidefinite with the constants as its kernel, whatever the triangles; it need
+/// not be an M-matrix. Source: Pinkall and Polthier, "Computing discrete minimal surfaces and their
+/// conjugates" (1993).
+
+#include "tetrarch/mesh/triangle_mesh.hpp"
+
+#include <memory>
+#include <vector>
+
+namespace tetrarch::mesh {
+
+/// Of each side, half the cotangent of the angle opposite. Throws InputError that names the triangle (counted
+/// from 0) where one is so thin that its cotangents would be rounding errors. O(n).
+std::vector<double> half_cotangents(const TriangleMesh& mesh);
+
+/// L f, for the weights of the sides and a value at each vertex. O(n).
+std::vector<double> fluxes(const Surface& surface, const std::vector<double>& weight,
+                           const std::vector<double>& f);
+
+/// L restricted to the vertices that are not held, factored once for any number of right-hand sides.
+class LaplaceSolver {
+public:
+  /// A number for each vertex, of any number of functions.
+  using Columns = std::vector<std::vector<double>>;
+
+  /// `held[v]` tells whether the value at vertex v is given; at least one must be, and the surface connected.
+  /// Throws InputError if rounding leaves no positive definite matrix. One sparse Cholesky factorisation;
+  /// about O(n^1.5) for n vertices.
+  LaplaceSolver(const Surface& surface, std::vector<double> weight, std::vector<char> held);
+  ~LaplaceSolver();
+  LaplaceSolver(LaplaceSolver&&) noexcept;
+  LaplaceSolver& operator=(LaplaceSolver&&) noexcept;
+
+  /// The functions f that have the value data[k][v] where v is held, and (L f)(v) = data[k][v] where it is
+  /// not. One step of iterative refinement is done. About O(n log n) for each function.
+  Columns solve(const Columns& data) const;
+
+private:
+  struct Factored;
+  std::unique_ptr<Factored> factored_;
+};
+
+} // namespace tetrarch::mesh

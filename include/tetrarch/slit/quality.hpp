@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+/// How good a slit map is: what it does to each triangle, and how exactly it keeps its promises.
+///
+///        /\            __      A linear map takes circles to ellipses. The ratio of their axes, 1 for
+///       /  \    -->   /  \__   conformal maps, is the quasi-conformal error. Where it turns a triangle over,
+///      /____\        /______\  the triangle is flipped.
+///
+/// A triangle whose corners lie all on one loop is an *ear*. Slits and circles of cylinders have no room for
+/// it, so it goes flat whatever one does; ears are counted apart and measured by nothing.
+
+#include "tetrarch/slit/slit_map.hpp"
+
+#include <vector>
+
+namespace tetrarch::slit {
+
+struct Distortion {
+  /// Of each triangle: the ratio of the axes, at least 1; 0 for flipped triangles and ears.
+  std::vector<double> quasi_conformal;
+  double mean_quasi_conformal = 0; ///< weighted by the area of the triangles
+  double max_quasi_conformal = 0;
+  double mean_angle_error = 0; ///< over all corners, in radians
+  double max_angle_error = 0;
+  std::vector<int> flipped; ///< triangles turned over or flattened, ears apart
+  int ears = 0;
+};
+
+/// On the cylinder, and so on the rectangle.
+Distortion distortion_on_cylinder(const OneForms& forms, const SlitMap& map);
+/// On the ring, where edges are drawn straight. Where heights change much within a triangle it is flipped
+/// though it was not on the cylinder. O(n) both.
+Distortion distortion_on_ring(const OneForms& forms, const SlitMap& map);
+
+/// What should be 0.
+struct Residuals {
+  double period = 0;   ///< greatest deviation of the periods of the angle from 2 pi, -2 pi or 0
+  double flux = 0;     ///< the same of the fluxes of log_radius, by cotangents, through the loops
+  double harmonic = 0; ///< greatest |L log_radius| at the vertices inside
+  double radius = 0;   ///< greatest deviation of |concentric(v)| along a loop from its radius
+};
+Residuals residuals(const OneForms& forms, const SlitMap& map);
+
+} // namespace tetrarch::slit
