@@ -175,8 +175,11 @@ TEST_CASE("The indices of a section add up to the Euler number, those of a field
       for (int trial = 0; trial < 5; ++trial) {
         std::vector<double> place(static_cast<std::size_t>(bundle.base.vertex_count()));
         for (double& p : place) p = 3 * number();
-        const auto index = indices(bundle, proof.fibers, place);
+        const auto index = indices(bundle, proof.fibers, short_section(bundle, proof.fibers, place));
         CHECK(std::accumulate(index.begin(), index.end(), 0) == e);
+        // The shorter way: a triangle cannot turn by more than its three edges, half a turn each, and its
+        // twist.
+        for (const int i : index) CHECK(std::abs(i) <= 2);
         std::vector<std::array<double, 3>> points(place.size());
         for (auto& p : points) p = {number(), number(), number()};
         for (double& p : place) p *= 2;
@@ -184,6 +187,39 @@ TEST_CASE("The indices of a section add up to the Euler number, those of a field
         CHECK(std::accumulate(turned.begin(), turned.end(), 0) == mesh::type_of(bundle.base).euler);
       }
     }
+}
+
+TEST_CASE("Whatever adds up to the Euler number is the indices of a section, a field's among them",
+          "[bundle]") {
+  Random random(12);
+  for (const Case& c : cases()) {
+    const int chi = mesh::type_of(c.surface).euler;
+    const CircleBundle bundle = bundle_on_tree_cut(c.surface, chi, 3);
+    const Fibers fibers = prove(bundle, Skeleton(bundle.total)).fibers;
+    std::vector<double> place(static_cast<std::size_t>(bundle.base.vertex_count()));
+    for (double& p : place) p = random.below(3000) * 1e-3;
+    std::vector<std::array<double, 3>> points(place.size());
+    for (auto& p : points)
+      p = {place[random.below(static_cast<int>(place.size()))], random.below(100) * 0.1, 1};
+    std::vector<int> wanted = field_indices(bundle.base, points, place);
+    for (int trial = 0; trial < 3; ++trial) {
+      const Section section = section_with_indices(bundle, fibers, place, wanted);
+      CHECK(indices(bundle, fibers, section) == wanted);
+      for (int k = 0; k < bundle.base.side_count(); ++k)
+        CHECK(section.turns[bundle.base.mate(Side(k)).value] == -section.turns[k]);
+      ++wanted[random.below(static_cast<int>(wanted.size()))];
+      --wanted[random.below(static_cast<int>(wanted.size()))];
+    }
+    ++wanted[0];
+    CHECK_THROWS_AS(section_with_indices(bundle, fibers, place, wanted), PreconditionError);
+  }
+  // With boundary anything goes.
+  const CircleBundle ring = bundle_on_tree_cut(with_holes(icosphere(1), 2).surface(), 0, 2);
+  const Fibers fibers = prove(ring, Skeleton(ring.total)).fibers;
+  std::vector<int> wanted(static_cast<std::size_t>(ring.base.triangle_count()), 0);
+  wanted[5] = 7;
+  const std::vector<double> place(static_cast<std::size_t>(ring.base.vertex_count()), 0);
+  CHECK(indices(ring, fibers, section_with_indices(ring, fibers, place, wanted)) == wanted);
 }
 
 namespace {

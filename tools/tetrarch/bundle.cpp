@@ -163,7 +163,7 @@ Singularities singularities(const Plan& plan, const bundle::CircleBundle& bundle
   std::vector<double> place(direction.size());
   for (double& p : place) p = random.uniform() * bundle.fiber;
   return {bundle::field_indices(bundle.base, plan.cut.points, direction),
-          bundle::indices(bundle, proof.fibers, place)};
+          bundle::indices(bundle, proof.fibers, bundle::short_section(bundle, proof.fibers, place))};
 }
 
 Json index_json(const std::vector<int>& index) {
