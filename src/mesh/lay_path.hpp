@@ -13,9 +13,10 @@
 ///        *-----*-----*
 ///
 /// A path is a shortest one, where every chord crossed costs as much as ten edges; then the chords are split.
-/// *Diagonals*, which only splits have put into a triangle of the first surface, are crossed for nothing: they
-/// are flipped out of the way. So a path has one vertex for each edge of the first surface that it crosses.
-/// Without this, a path between two others has as many edges as both together, and lengths grow exponentially.
+/// *Diagonals*, which only splits have put into a triangle of the first surface, are crossed for nothing:
+/// they are flipped out of the way. So a path has one vertex for each edge of the first surface that it
+/// crosses. Without this, a path between two others has as many edges as both together, and lengths grow
+/// exponentially.
 
 #include "tetrarch/mesh/marked_surface.hpp"
 
