@@ -5,6 +5,7 @@
 Usage: program_test.py PROGRAM SOURCE_DIR
 """
 import json
+import math
 import os
 import signal
 import subprocess
@@ -745,6 +746,7 @@ class Bundle(unittest.TestCase):
         self.assertIn("least that works", run("bundle", "--help").stdout)
         self.assertIn("expected 1 to", self.refused(cube, "--fiber", "0"))
         self.assertIn("multiple of the fibre's 4 edges", self.refused(torus, "--fiber", "4", "--twist", "6"))
+        self.assertIn("{dissertation,any}", self.refused(cube, "--cut", "some"))
         self.assertIn("closed", self.refused(cube, "--boundary", self.path("b.txt", "")))
         self.assertIn("are allowed (--memory)", self.refused(cube, "--fiber", "1000000"))
         self.assertIn("no such folder", self.refused(cube, "-o", "/nowhere/b.json"))
@@ -763,6 +765,109 @@ class Bundle(unittest.TestCase):
         text += "".join("3 %d %d %d\n" % t for t in triangles)
         _, made = run_json("bundle", self.path("rp2.off", text), "--fiber", "3")
         self.assertEqual((made["homology"], made["euler_number"], made["surface"]["type"]), ("Z/4", 1, "projective plane"))
+
+
+class Slit(unittest.TestCase):
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory()
+        self.addCleanup(self.folder.cleanup)
+        self.ring = os.path.join(SOURCE, "tests/data/mesh/ring_two_holes.off")
+
+    def path(self, name, text=None):
+        path = os.path.join(self.folder.name, name)
+        if text is not None:
+            with open(path, "w", encoding="utf-8") as file:
+                file.write(text)
+        return path
+
+    def refused(self, *arguments):
+        """The one line on standard error of a command that must fail with 2 and write nothing."""
+        before = sorted(os.listdir(self.folder.name))
+        done = run("slit", *arguments, "-o", self.path("never.obj"))
+        self.assertEqual(done.returncode, 2, done.stdout + done.stderr)
+        self.assertEqual((done.stderr.count("\n"), done.stdout), (1, ""), done.stderr)
+        self.assertEqual(sorted(os.listdir(self.folder.name)), before)
+        return done.stderr
+
+    def test_three_domains_of_one_map(self):
+        found = {d: run_json("slit", self.ring, "--domain", d)[1] for d in ("cylindric", "parallel", "concentric")}
+        ring = found["concentric"]
+        self.assertEqual([b["edges"] for b in ring["boundaries"]], [41, 14, 11])  # as the file was made
+        self.assertEqual(run("slit", self.ring).stderr, "")
+        self.assertAlmostEqual(ring["radii"]["inner"], math.exp(-ring["modulus"]), delta=1e-15)
+        for domain, made in found.items():
+            self.assertEqual((made["domain"], made["outer"], made["inner"], made["flipped"]), (domain, 0, 1, 0))
+            self.assertEqual(made["modulus"], ring["modulus"])
+            self.assertLessEqual(made["modulus_bounds"][0], made["modulus_bounds"][1])
+            self.assertLess(max(made["residuals"].values()), 1e-10)
+            (slit,), (other,) = made["slits"], ring["slits"]
+            self.assertEqual([slit[k] for k in ("loop", "start", "end")], [other[k] for k in ("loop", "start", "end")])
+            if domain != "concentric":
+                self.assertAlmostEqual(slit["height"], -math.log(other["radius"]), delta=1e-14)
+
+    def test_loops_by_number_and_by_vertex(self):
+        _, listed = run_json("slit", self.ring, "--list-loops")
+        first = ["v%d" % b["vertex"] for b in listed["boundaries"]]
+        self.assertEqual([b["length"] for b in listed["boundaries"]],
+                         [b["length"] for b in run_json("check", self.ring)[1]["boundary_loops"]])
+        _, by_vertex = run_json("slit", self.ring, "--outer", first[2], "--inner", first[0])
+        _, by_number = run_json("slit", self.ring, "--outer", "2", "--inner", "0")
+        _, back = run_json("slit", self.ring, "--outer", "0", "--inner", "2")
+        self.assertEqual(by_vertex["slits"], by_number["slits"])
+        self.assertEqual((by_vertex["outer"], by_vertex["inner"]), (2, 0))
+        # Turned inside out, a ring has the same modulus.
+        self.assertAlmostEqual(back["modulus"], by_number["modulus"], delta=1e-12)
+        # A surface of any type has its loops listed.
+        self.assertEqual(run("slit", os.path.join(SOURCE, "tests/data/mesh/torus.off"), "--list-loops").stdout, "no boundary\n")
+
+    def test_files(self):
+        with open(self.ring, encoding="utf-8") as file:
+            vertices, triangles, _ = (int(x) for x in file.read().split()[1:4])
+        for domain in ("cylindric", "parallel", "concentric"):
+            names = {e: self.path(domain + "." + e) for e in ("obj", "vtu", "svg", "glb", "ply")}
+            done = run("slit", self.ring, "--domain", domain, *(a for path in names.values() for a in ("-o", path)))
+            self.assertEqual(done.returncode, 0, done.stderr)
+            with open(names["obj"], encoding="utf-8") as file:
+                lines = [line.split() for line in file]
+            self.assertEqual([sum(w[0] == k for w in lines) for k in ("v", "f")], [vertices, triangles])
+            textures = [[float(x) for x in w[1:]] for w in lines if w[0] == "vt"]
+            self.assertEqual(len(textures) > vertices, domain != "concentric")
+            self.assertTrue(all(-1e-12 <= v <= 1 + 1e-12 for _, v in textures))
+            self.assertEqual(run_json("check", names["obj"])[1]["type"], run_json("check", self.ring)[1]["type"])
+            with open(names["svg"], encoding="utf-8") as file:
+                self.assertIn("<svg", file.read())
+            for extension, magic in (("glb", b"glTF"), ("ply", b"ply\n"), ("vtu", b"<?xml")):
+                with open(names[extension], "rb") as file:
+                    self.assertTrue(file.read().startswith(magic))
+
+    def test_bad_input(self):
+        for option, value, complaint in (("--outer", "3", "no such loop"), ("--inner", "-1", "expected the number"),
+                                         ("--inner", "0", "two"), ("--outer", "v100000", "no boundary loop"),
+                                         ("--outer", "v", "expected the number"), ("--outer", "1x", "expected the number"),
+                                         ("--outer", "99999999999", "expected the number"), ("--domain", "circular", "not in"),
+                                         ("-o", self.path("a.xyz"), "extension"), ("-o", "/nowhere/a.obj", "no such folder")):
+            self.assertIn(complaint, self.refused(self.ring, option, value))
+        # In this file, vertices of the boundary come first; 174 is the last of all.
+        self.assertIn("no boundary loop", self.refused(self.ring, "--outer", "v174"))
+
+    def test_bad_surfaces(self):
+        self.assertIn("torus", self.refused(os.path.join(SOURCE, "tests/data/mesh/torus.off")))
+        self.assertIn("disk", self.refused(self.path("disk.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n")))
+        two = "OFF\n6 2 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n1 0 1\n0 1 1\n3 0 1 2\n3 3 4 5\n"
+        self.assertIn("2 components", self.refused(self.path("two.off", two)))
+        bow_tie = "OFF\n5 2 0\n0 0 0\n1 0 0\n0 1 0\n-1 0 0\n0 -1 0\n3 0 1 2\n3 0 3 4\n"
+        self.assertIn("vertex 0", self.refused(self.path("tie.off", bow_tie)))
+        with open(self.ring, encoding="utf-8") as file:
+            lines = file.read().splitlines()
+        vertices = int(lines[1].split()[0])
+        flat, wild = list(lines), list(lines)
+        # The first triangle with a vertex inside, which is moved to the middle of its other two.
+        a, b, c = next(t for t in ([int(x) for x in line.split()[1:]] for line in lines[2 + vertices:]) if t[2] == max(t) and t[2] > 70)
+        p, q = ([float(x) for x in lines[2 + v].split()] for v in (a, b))
+        flat[2 + c] = " ".join(repr((x + y) / 2) for x, y in zip(p, q))
+        self.assertIn("flat.off: triangle", self.refused(self.path("flat.off", "\n".join(flat) + "\n")))
+        wild[2 + c] = "nan 0 0"
+        self.assertIn("nan", self.refused(self.path("wild.off", "\n".join(wild) + "\n")))
 
 
 if __name__ == "__main__":

@@ -21,7 +21,6 @@
 #include "tetrarch/scene/files.hpp"
 
 #include <CLI/CLI.hpp>
-#include <map>
 #include <memory>
 #include <numbers>
 #include <optional>
@@ -38,6 +37,7 @@ struct Options {
   std::string boundary = "free";
   std::string obstruction;
   std::string show = "tori";
+  std::string cut = "dissertation";
   std::vector<double> field; ///< a constant vector to be projected; none: random directions
   PlanOptions plan;
   std::optional<int> twist;
@@ -66,6 +66,7 @@ void require_outputs(const Options& options) {
 /// Says what a caller asked for that cannot be had.
 PlanOptions plan_options(const Options& options, const SurfaceInput& surface) {
   PlanOptions plan = options.plan;
+  plan.cut = options.cut == "any" ? PlanOptions::Cut::any : PlanOptions::Cut::dissertation;
   const SurfaceType type = mesh::type_of(surface.mesh.surface);
   if (plan.fiber < 1 || plan.fiber > 1'000'000)
     throw InputError("--fiber " + std::to_string(plan.fiber) + ": expected 1 to 1000000 edges");
@@ -288,8 +289,6 @@ Result run_bundle(const Options& options, const Context& context) {
 
 Run declare_bundle(CLI::App& app) {
   const auto o = std::make_shared<Options>();
-  const std::map<std::string, PlanOptions::Cut> cuts{{"dissertation", PlanOptions::Cut::dissertation},
-                                                     {"any", PlanOptions::Cut::any}};
   app.add_option("SURFACE", o->input, "a surface: OBJ, OFF, PLY or STL")->required();
   app.add_option(
          "-o,--output", o->outputs,
@@ -305,9 +304,9 @@ Run declare_bundle(CLI::App& app) {
          "free, or a file of lines 'u v value': a boundary edge by the numbers that the surface's file uses, "
          "and +1 or -1")
       ->capture_default_str();
-  app.add_option("--cut", o->plan.cut, "dissertation: equator or canonical loops; any: a short cut graph")
-      ->transform(CLI::CheckedTransformer(cuts).description("{dissertation,any}"))
-      ->default_str("dissertation");
+  app.add_option("--cut", o->cut, "dissertation: equator or canonical loops; any: a short cut graph")
+      ->check(CLI::IsMember({"dissertation", "any"}))
+      ->capture_default_str();
   app.add_option("--show", o->show, "what pictures show: tori, or the surface with its cut and singularities")
       ->check(CLI::IsMember({"tori", "surface"}))
       ->capture_default_str();

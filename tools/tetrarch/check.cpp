@@ -11,7 +11,6 @@
 
 #include <CLI/CLI.hpp>
 #include <array>
-#include <charconv>
 #include <memory>
 
 namespace tetrarch::program {
@@ -65,14 +64,6 @@ std::string findings_text(const mesh::Report& report, const format::Soup& soup) 
           "and " + std::to_string(left_out) + " more of the kind " + std::string(mesh::name_of(kind)) + "\n";
   }
   return text;
-}
-
-/// Six digits, in every locale.
-std::string rounded(double x) {
-  std::array<char, 32> digits{};
-  const auto end =
-      std::to_chars(digits.data(), digits.data() + digits.size(), x, std::chars_format::general, 6);
-  return {digits.data(), end.ptr};
 }
 
 /// Adds what a surface without fatal findings is. What can be mended is taken as mended: of duplicates and

@@ -29,6 +29,8 @@ const std::vector<Command>& commands() {
        "tetrarch view cPcbbbihq -o knotted_y.html", declare_view},
       {"bundle", "the unit tangent bundle of a surface, or the circle bundle of any Euler number",
        "tetrarch bundle tests/data/mesh/torus.off --fiber 6 -o torus_bundle.json", declare_bundle},
+      {"slit", "a sphere with holes, laid conformally onto a cylinder, a rectangle or a ring with slits",
+       "tetrarch slit tests/data/mesh/ring_two_holes.off -o ring_two_holes.svg", declare_slit},
       {"census gluings", "all closed gluings of N tetrahedra up to isomorphism, as signatures, one a line",
        "tetrarch census gluings --tetrahedra 2 --orientable --ideal", declare_census_gluings},
       {"census enumerate", "classify the manifolds of N tetrahedra from nothing, one JSON object a line",

@@ -14,7 +14,6 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <map>
 #include <memory>
 #include <optional>
 
@@ -38,7 +37,7 @@ struct Options {
   double cusp_area = embed::DomainOptions{}.cusp_area;
   double memory = 4;
   bool outside = false;
-  ModelOptions::Colors colors = ModelOptions::Colors::tetrahedron;
+  std::string colors = "tetrahedron";
 };
 
 embed::PieceBounds wanted_bounds(const Options& options) {
@@ -179,13 +178,19 @@ Drawn draw(const Embedding& e, const embed::PieceBounds& wanted, const Options& 
   return drawn;
 }
 
+/// One of the names that are allowed.
+ModelOptions::Colors colors_named(const std::string& name) {
+  if (name == "face") return ModelOptions::Colors::face;
+  return name == "word-length" ? ModelOptions::Colors::word_length : ModelOptions::Colors::tetrahedron;
+}
+
 ModelOptions model_options(const Body& body, const Options& options) {
   ModelOptions how;
   how.model = *embed::model_named(options.model);
   how.chord_error = options.chord_error > 0 ? options.chord_error : extent(body, how.model) / 400;
   how.tube_radius = options.tube_radius;
   how.inner = !options.outside;
-  how.colors = options.colors;
+  how.colors = colors_named(options.colors);
   return how;
 }
 
@@ -224,10 +229,6 @@ Result run_embed(const Options& options, const Context& context) {
 
 Run declare_embed(CLI::App& app) {
   const auto o = std::make_shared<Options>();
-  const std::map<std::string, ModelOptions::Colors> colors{
-      {"tetrahedron", ModelOptions::Colors::tetrahedron},
-      {"face", ModelOptions::Colors::face},
-      {"word-length", ModelOptions::Colors::word_length}};
   app.add_option("X", o->input, "a triangulation that carries a structure")->required();
   app.add_option(
       "-o,--output", o->output,
@@ -240,8 +241,8 @@ Run declare_embed(CLI::App& app) {
       ->check(CLI::IsMember({"half-space", "ball", "klein"}))
       ->capture_default_str();
   app.add_option("--color", o->colors, "faces by tetrahedron, face or word-length")
-      ->transform(CLI::CheckedTransformer(colors).description("{tetrahedron,face,word-length}"))
-      ->default_str("tetrahedron");
+      ->check(CLI::IsMember({"tetrahedron", "face", "word-length"}))
+      ->capture_default_str();
   app.add_option("--chord-error", o->chord_error,
                  "how far a chord may be from its curve, in the model (0: 1/400 of the domain's size)")
       ->capture_default_str();

@@ -32,6 +32,13 @@ std::string scientific(double x, int decimals) {
   return formatted(x, std::chars_format::scientific, decimals);
 }
 
+std::string rounded(double x) {
+  std::array<char, 32> digits{};
+  const auto end =
+      std::to_chars(digits.data(), digits.data() + digits.size(), x, std::chars_format::general, 6);
+  return {digits.data(), end.ptr};
+}
+
 std::string joined(const std::vector<std::string>& items, const std::string& separator) {
   std::string text;
   for (std::size_t k = 0; k < items.size(); ++k) text += (k > 0 ? separator : "") + items[k];

@@ -18,6 +18,9 @@ std::string fixed(double x, int decimals);
 /// x in scientific notation with that many decimals.
 std::string scientific(double x, int decimals);
 
+/// x with six digits, as short as that can be said.
+std::string rounded(double x);
+
 /// Items joined by a separator.
 std::string joined(const std::vector<std::string>& items, const std::string& separator);
 
