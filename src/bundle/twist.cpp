@@ -84,7 +84,7 @@ namespace {
 class Flow {
 public:
   Flow(const MarkedSurface& cut, const std::vector<int>& twist)
-      : surface_(cut.surface), cut_(cut), twist_(twist), shift_(twist.size()),
+      : surface_(cut.surface), twist_(twist), shift_(twist.size()),
         ends_(static_cast<std::size_t>(surface_.vertex_count())), used_(twist.size(), 0),
         seen_(static_cast<std::size_t>(surface_.vertex_count()), 0) {
     for (int k = 0; k < surface_.side_count(); ++k) {
@@ -182,7 +182,6 @@ private:
   }
 
   const Surface& surface_;
-  const MarkedSurface& cut_;
   const std::vector<int>& twist_;
   std::vector<Shift> shift_;
   std::vector<std::vector<SideEnd>> ends_; ///< of each vertex, the ends of cut edges there

@@ -186,12 +186,7 @@ Scene cut_surface(const Plan& plan, const std::vector<int>& index) {
   Scene scene;
   scene.title = "surface and its cut";
   scene.surfaces.push_back(std::move(shown));
-  double size = 0;
-  for (int axis = 0; axis < 3; ++axis) {
-    const auto less = [axis](const Point& a, const Point& b) { return a[axis] < b[axis]; };
-    const auto [low, high] = std::minmax_element(plan.cut.points.begin(), plan.cut.points.end(), less);
-    size = std::max(size, (*high)[axis] - (*low)[axis]);
-  }
+  const double size = size_of(plan.cut.points);
   Tubes tubes;
   tubes.name = "cut";
   Data curve{"curve", {}};

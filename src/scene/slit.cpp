@@ -3,6 +3,7 @@
 
 #include "palette.hpp"
 #include "tetrarch/format/text.hpp"
+#include "vector.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -81,17 +82,6 @@ Chart chart_of(const slit::OneForms& forms, const slit::SlitMap& map, SlitDomain
 Place texture(const Place& place, const slit::SlitMap& map, SlitDomain domain) {
   if (domain == SlitDomain::concentric) return {(place[0] + 1) / 2, (place[1] + 1) / 2};
   return {place[0] / full_turn, place[1] / map.modulus};
-}
-
-/// Largest extent along an axis.
-double size_of(const std::vector<Point>& points) {
-  double size = 0;
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    const auto less = [axis](const Point& a, const Point& b) { return a[axis] < b[axis]; };
-    const auto [low, high] = std::minmax_element(points.begin(), points.end(), less);
-    size = std::max(size, (*high)[axis] - (*low)[axis]);
-  }
-  return size;
 }
 
 /// Each loop as the places one comes by, closed, and cut at the seam.

@@ -657,7 +657,9 @@ class View(unittest.TestCase):
         self.assertIn("tetrarch embed", done.stderr)
 
 
-class Bundle(unittest.TestCase):
+class InAFolder(unittest.TestCase):
+    """A folder of its own for each test."""
+
     def setUp(self):
         self.folder = tempfile.TemporaryDirectory()
         self.addCleanup(self.folder.cleanup)
@@ -669,6 +671,8 @@ class Bundle(unittest.TestCase):
                 file.write(text)
         return path
 
+
+class Bundle(InAFolder):
     def surface(self, name):
         return os.path.join(SOURCE, "tests/data/mesh", name)
 
@@ -767,18 +771,10 @@ class Bundle(unittest.TestCase):
         self.assertEqual((made["homology"], made["euler_number"], made["surface"]["type"]), ("Z/4", 1, "projective plane"))
 
 
-class Slit(unittest.TestCase):
+class Slit(InAFolder):
     def setUp(self):
-        self.folder = tempfile.TemporaryDirectory()
-        self.addCleanup(self.folder.cleanup)
+        super().setUp()
         self.ring = os.path.join(SOURCE, "tests/data/mesh/ring_two_holes.off")
-
-    def path(self, name, text=None):
-        path = os.path.join(self.folder.name, name)
-        if text is not None:
-            with open(path, "w", encoding="utf-8") as file:
-                file.write(text)
-        return path
 
     def refused(self, *arguments):
         """The one line on standard error of a command that must fail with 2 and write nothing."""
