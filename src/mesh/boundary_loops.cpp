@@ -66,4 +66,11 @@ int loop_through(const std::vector<BoundaryLoop>& loops, const Surface& surface,
   return found == loops.end() ? -1 : static_cast<int>(found - loops.begin());
 }
 
+std::vector<int> loops_of_vertices(const std::vector<BoundaryLoop>& loops, const Surface& surface) {
+  std::vector<int> result(static_cast<std::size_t>(surface.vertex_count()), -1);
+  for (std::size_t k = 0; k < loops.size(); ++k)
+    for (const SideEnd e : loops[k].sides) result[surface.vertex(e)] = static_cast<int>(k);
+  return result;
+}
+
 } // namespace tetrarch::mesh

@@ -2,138 +2,18 @@
 #include "tetrarch/mesh/cuts.hpp"
 
 #include "tetrarch/core/error.hpp"
-#include "tetrarch/core/union_find.hpp"
+#include "tree_cotree.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
-#include <limits>
-#include <numeric>
-#include <queue>
 #include <string>
 #include <utility>
 
 namespace tetrarch::mesh {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
-/// The edges, each as one of its sides.
-std::vector<Side> edges(const Surface& surface) {
-  std::vector<Side> result;
-  for (int k = 0; k < surface.side_count(); ++k)
-    if (surface.is_boundary(Side(k)) || k < surface.mate(Side(k)).value) result.emplace_back(k);
-  return result;
-}
-
-/// The ends of edges at vertex v, one for each edge and twice for loops: ends[first[v]] ..
-/// ends[first[v+1]-1].
-struct EndsByVertex {
-  std::vector<int> first;
-  std::vector<SideEnd> ends;
-};
-
-EndsByVertex ends_by_vertex(const Surface& surface) {
-  const std::vector<Side> all_edges = edges(surface);
-  EndsByVertex out{std::vector<int>(static_cast<std::size_t>(surface.vertex_count()) + 1, 0),
-                   std::vector<SideEnd>(2 * all_edges.size())};
-  for (const Side s : all_edges)
-    for (const bool at_start : {true, false}) ++out.first[surface.vertex({s, at_start})];
-  std::partial_sum(out.first.begin(), out.first.end(), out.first.begin());
-  // Filled from the back, which leaves first[v] at the start of v's range.
-  for (auto s = all_edges.rbegin(); s != all_edges.rend(); ++s)
-    for (const bool at_start : {false, true})
-      out.ends[--out.first[surface.vertex({*s, at_start})]] = {*s, at_start};
-  return out;
-}
-
-/// A forest of shortest paths.
-struct Paths {
-  std::vector<double> distance; ///< of each vertex from the nearest root
-  std::vector<SideEnd> reached; ///< of each vertex, the end at its parent's that leads there; none at roots
-};
-
-Paths shortest_paths(const Surface& surface, const std::vector<double>& length,
-                     const std::vector<int>& roots) {
-  const EndsByVertex at = ends_by_vertex(surface);
-  const auto vertices = static_cast<std::size_t>(surface.vertex_count());
-  Paths paths{std::vector<double>(vertices, infinity), std::vector<SideEnd>(vertices)};
-  using Entry = std::pair<double, int>;
-  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
-  for (const int v : roots) {
-    paths.distance[v] = 0;
-    queue.emplace(0, v);
-  }
-  while (!queue.empty()) {
-    const auto [distance, v] = queue.top();
-    queue.pop();
-    if (distance > paths.distance[v]) continue;
-    for (int k = at.first[v]; k < at.first[v + 1]; ++k) {
-      const SideEnd e = at.ends[k];
-      const int w = surface.vertex({e.side, !e.at_start});
-      const double further = distance + length[e.side.value];
-      if (further >= paths.distance[w]) continue;
-      paths.distance[w] = further;
-      paths.reached[w] = e;
-      queue.emplace(further, w);
-    }
-  }
-  return paths;
-}
-
-/// Edges closing loops with a forest of paths.
-struct Closing {
-  std::vector<Side> edges;   ///< by the length of their loops, shortest first
-  double total = 0;          ///< of the lengths
-  std::vector<char> crossed; ///< for each side, whether the dual tree crosses it
-};
-
-/// Crosses the edges outside the forest, those of the longest loops first, wherever that joins two parts of
-/// the dual forest. Across boundary edges lies, if so wanted, one more place, outside; else they are no
-/// edges.
-Closing close_loops(const Surface& surface, const std::vector<double>& length, const Paths& paths,
-                    bool outside) {
-  std::vector<char> in_tree(static_cast<std::size_t>(surface.side_count()), 0);
-  for (const SideEnd e : paths.reached)
-    if (e.side.exists()) in_tree[e.side.value] = 1;
-  std::vector<std::pair<double, Side>> candidates;
-  for (const Side s : edges(surface)) {
-    if (in_tree[s.value] || (!outside && surface.is_boundary(s))) continue;
-    candidates.emplace_back(paths.distance[surface.from(s)] + length[s.value] + paths.distance[surface.to(s)],
-                            s);
-  }
-  std::stable_sort(candidates.begin(), candidates.end(),
-                   [](const auto& a, const auto& b) { return a.first > b.first; });
-  std::vector<int> part(static_cast<std::size_t>(surface.triangle_count()) + 1);
-  std::iota(part.begin(), part.end(), 0);
-  Closing closing{{}, 0, std::vector<char>(static_cast<std::size_t>(surface.side_count()), 0)};
-  for (const auto& [loop, s] : candidates) {
-    const Side m = surface.mate(s);
-    const int here = find_root(part, s.triangle());
-    const int there = find_root(part, m.exists() ? m.triangle() : surface.triangle_count());
-    if (here == there) {
-      closing.edges.push_back(s);
-      closing.total += loop;
-      continue;
-    }
-    part[here] = there;
-    closing.crossed[s.value] = 1;
-    if (m.exists()) closing.crossed[m.value] = 1;
-  }
-  std::reverse(closing.edges.begin(), closing.edges.end());
-  return closing;
-}
-
 void check_connected(const Surface& surface) {
   if (parts(surface).count != 1) throw PreconditionError("the surface is not connected");
-}
-
-std::vector<char> boundary_vertices(const Surface& surface) {
-  std::vector<char> on_boundary(static_cast<std::size_t>(surface.vertex_count()), 0);
-  for (int k = 0; k < surface.side_count(); ++k)
-    if (const Side s(k); surface.is_boundary(s))
-      on_boundary[surface.from(s)] = on_boundary[surface.to(s)] = 1;
-  return on_boundary;
 }
 
 /// A graph on the edges of a surface, which can be pruned.

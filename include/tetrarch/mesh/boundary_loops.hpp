@@ -30,4 +30,7 @@ std::vector<BoundaryLoop> boundary_loops(const TriangleMesh& mesh);
 /// The index of the loop through a vertex; -1 if the vertex is not on the boundary. O(size of all loops).
 [[nodiscard]] int loop_through(const std::vector<BoundaryLoop>& loops, const Surface& surface, int vertex);
 
+/// Of each vertex the index of the loop through it; -1 inside. O(n).
+std::vector<int> loops_of_vertices(const std::vector<BoundaryLoop>& loops, const Surface& surface);
+
 } // namespace tetrarch::mesh

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+/// Handles opened: g loops along which a surface of genus g is cut to a sphere with 2g holes more.
+///
+///     .-----.-----.         .-----.-----.      Handle by handle, in the surface cut open so far: a short
+///     loop
+///    /  __  |  __  \       /  __ | | __  \     that does not cut it in two and touches neither boundary nor
+///   |  (__) | (__)  |  =>  | (__)| |(__) |     earlier loops. Its two banks become boundary loops.
+///    \   |  |  |   /        \ / \ | | / \/
+///     `--'-----'--'         (two loops, one through either hole, open a double torus)
+///
+/// A loop is the shortest that consists of two shortest paths from a root and an edge. The edge is one that
+/// neither the tree of these paths nor a dual tree takes: then a dual loop crosses it and nothing else of the
+/// loop, whose sides are thus connected. Roots are vertices far from each other, then vertices of the best
+/// loop, while it gets shorter. So loops are short, not proved to be the shortest.
+///
+/// On a coarse surface all vertices may be taken. If no loop is left, the middle of each edge inside that
+/// joins two of them gets a vertex; the free vertices and the edges between them then have all loops of the
+/// surface. Source: Yin, section 2.4.4; Erickson and Whittlesey, "Greedy optimal homotopy and homology
+/// generators" (2005).
+
+#include "tetrarch/core/progress.hpp"
+#include "tetrarch/mesh/opened.hpp"
+
+#include <vector>
+
+namespace tetrarch::mesh {
+
+struct HandleLoop {
+  int edges = 0;
+  double length = 0;
+};
+
+struct OpenedHandles {
+  OpenedMesh opened;
+  std::vector<HandleLoop> loops; ///< in the order of their cutting; as many as handles
+  int edge_splits = 0;
+};
+
+/// Cuts along a loop for each handle; on a sphere with or without holes there is nothing to do. Throws
+/// InputError if the surface is not orientable. O(n log n) for each handle.
+OpenedHandles open_handles(const OpenedMesh& opened, const Progress& progress = {});
+
+} // namespace tetrarch::mesh
