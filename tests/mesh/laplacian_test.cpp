@@ -4,6 +4,7 @@
 #include "support/planar_domains.hpp"
 #include "tetrarch/core/error.hpp"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <numeric>
@@ -100,6 +101,72 @@ TEST_CASE("A function has the fluxes that it was loaded with, and the values tha
   const auto flux = fluxes(ring.surface, weight, f);
   for (std::size_t v = 0; v < data.size(); ++v)
     CHECK((held[v] ? f[v] : flux[v]) == Approx(data[v]).margin(1e-12));
+}
+
+TEST_CASE("Other vertices held with the same analysis give what a new solver gives") {
+  const TriangleMesh ring = flat_ring();
+  const auto weight = half_cotangents(ring);
+  std::vector<char> one(ring.points.size(), 0);
+  one[3] = 1;
+  const auto all = boundary_vertices(ring);
+  std::vector<double> data(one.size());
+  for (std::size_t v = 0; v < data.size(); ++v) data[v] = std::cos(5.0 * static_cast<double>(v));
+  LaplaceSolver solver(ring.surface, weight, one);
+  const auto before = solver.solve({data});
+  solver.hold(all);
+  CHECK(solver.solve({data}) == LaplaceSolver(ring.surface, weight, all).solve({data}));
+  solver.hold(one);
+  CHECK(solver.solve({data}) == before);
+  CHECK_THROWS_AS(solver.hold({1}), PreconditionError);
+}
+
+TEST_CASE(
+    "Many right-hand sides, and large meshes, for which factors are made by blocks, keep their fluxes") {
+  CylinderGrid grid;
+  grid.rings = 60;
+  grid.sectors = 200;
+  const TriangleMesh ring = slit_ring(grid, [](std::complex<double> z) { return z; }).mesh;
+  const auto weight = half_cotangents(ring);
+  const auto held = boundary_vertices(ring);
+  LaplaceSolver::Columns data(11, std::vector<double>(held.size()));
+  for (std::size_t k = 0; k < data.size(); ++k)
+    for (std::size_t v = 0; v < held.size(); ++v) data[k][v] = std::cos(static_cast<double>((k + 1) * v));
+  const LaplaceSolver solver(ring.surface, weight, held);
+  const auto found = solver.solve(data);
+  for (std::size_t k = 0; k < data.size(); ++k) {
+    const auto flux = fluxes(ring.surface, weight, found[k]);
+    double worst = 0;
+    for (std::size_t v = 0; v < held.size(); ++v)
+      worst = std::max(worst, std::abs((held[v] ? found[k][v] : flux[v]) - data[k][v]));
+    CHECK(worst < 1e-12);
+  }
+}
+
+TEST_CASE("Two edges between the same two vertices add up, and an edge from a vertex to itself is none") {
+  // A cone over a digon: triangles 0 and 1 share two edges at the apex; its base has two edges, both between
+  // the same two vertices. All angles are taken as 60 degrees.
+  Table<Side, Side> mate(6);
+  mate[Side(0, 0)] = Side(1, 1);
+  mate[Side(1, 1)] = Side(0, 0);
+  mate[Side(0, 1)] = Side(1, 0);
+  mate[Side(1, 0)] = Side(0, 1);
+  const Surface cone(mate);
+  REQUIRE(cone.vertex_count() == 3);
+  const std::vector<double> weight(6, 0.5 / std::sqrt(3.0));
+  const int apex = cone.apex(Side(0, 2));
+  std::vector<char> held(3, 0);
+  held[cone.from(Side(0, 2))] = 1;
+  std::vector<double> data(3, 0.25);
+  const auto f = LaplaceSolver(cone, weight, held).solve({data}).front();
+  const auto flux = fluxes(cone, weight, f);
+  for (int v = 0; v < 3; ++v) CHECK((held[v] ? f[v] : flux[v]) == Approx(0.25).epsilon(1e-14));
+  CHECK(held[apex] == 0);
+}
+
+TEST_CASE("Weights without a positive definite Laplacian are refused") {
+  const TriangleMesh one = triangles({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}});
+  CHECK_THROWS_AS(LaplaceSolver(one.surface, {-1, -1, -1}, {1, 0, 0}), InputError);
+  CHECK_THROWS_AS(LaplaceSolver(one.surface, {0, 0, 0}, {1, 0, 0}), InputError);
 }
 
 TEST_CASE("Where all vertices are held there is nothing to solve") {

@@ -29,19 +29,26 @@ std::vector<double> half_cotangents(const TriangleMesh& mesh);
 std::vector<double> fluxes(const Surface& surface, const std::vector<double>& weight,
                            const std::vector<double>& f);
 
-/// L restricted to the vertices that are not held, factored once for any number of right-hand sides.
+/// L restricted to the vertices that are not held, factored once for any number of right-hand sides. By
+/// CHOLMOD or Eigen, whichever the library was built with; results are the same up to rounding.
 class LaplaceSolver {
 public:
   /// A number for each vertex, of any number of functions.
   using Columns = std::vector<std::vector<double>>;
 
   /// `held[v]` tells whether the value at vertex v is given; at least one must be, and the surface connected.
-  /// Throws InputError if rounding leaves no positive definite matrix. One sparse Cholesky factorisation;
-  /// about O(n^1.5) for n vertices.
-  LaplaceSolver(const Surface& surface, std::vector<double> weight, std::vector<char> held);
+  /// Throws InputError if rounding leaves no positive definite matrix. Neither the surface nor the weights
+  /// are kept. One sparse Cholesky factorisation; in practice about O(n^1.5) for n vertices, and O(n log n)
+  /// memory.
+  LaplaceSolver(const Surface& surface, const std::vector<double>& weight, const std::vector<char>& held);
   ~LaplaceSolver();
   LaplaceSolver(LaplaceSolver&&) noexcept;
   LaplaceSolver& operator=(LaplaceSolver&&) noexcept;
+
+  /// Holds other vertices from now on, as above. The order of elimination stays and the factor is
+  /// overwritten: this costs less time than another solver, and no memory. After InputError nothing can be
+  /// solved.
+  void hold(const std::vector<char>& held);
 
   /// The functions f that have the value data[k][v] where v is held, and (L f)(v) = data[k][v] where it is
   /// not. One step of iterative refinement is done. About O(n log n) for each function.

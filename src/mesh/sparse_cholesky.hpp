@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+/// Sparse Cholesky factorisation, A = L L': CHOLMOD's where the library was built with it, else Eigen's.
+///
+/// The order of elimination is the library's: approximate minimum degree. The pattern is analysed once;
+/// matrices that share it are factored one after the other, in the same memory. With either library results
+/// depend on nothing but the matrix: CHOLMOD and OpenBLAS are held to one thread, as with more of them sums
+/// could be taken in other orders. The two libraries agree up to rounding.
+
+#include <memory>
+#include <vector>
+
+namespace tetrarch::mesh {
+
+/// The lower triangle of a symmetric matrix by columns: entries first[j] .. first[j+1]-1 are in column j, in
+/// increasing rows, the one on the diagonal, which must be there, first.
+struct SymmetricMatrix {
+  std::vector<int> first;
+  std::vector<int> row;
+  std::vector<double> value;
+
+  int size() const { return static_cast<int>(first.size()) - 1; }
+};
+
+class SparseCholesky {
+public:
+  /// Analyses the pattern, whatever the values.
+  explicit SparseCholesky(const SymmetricMatrix& pattern);
+  ~SparseCholesky();
+  SparseCholesky(SparseCholesky&&) noexcept;
+  SparseCholesky& operator=(SparseCholesky&&) noexcept;
+
+  /// False if the matrix, which must have the pattern, is not positive definite.
+  [[nodiscard]] bool factor(const SymmetricMatrix& matrix);
+
+  /// x with A x = b, for any number of columns, one after the other in memory. `x` has the size of b.
+  void solve(std::vector<double>& b, std::vector<double>& x) const;
+
+private:
+  struct Implementation;
+  std::unique_ptr<Implementation> implementation_;
+};
+
+} // namespace tetrarch::mesh
