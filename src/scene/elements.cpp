@@ -19,6 +19,21 @@ constexpr double normal_slack = 1e-3;
 constexpr std::array<std::string_view, 6> taken_names{"element", "vertex_indices", "red",
                                                       "green",   "blue",           "alpha"};
 
+/// And points.
+constexpr std::array<std::string_view, 8> taken_at_points{"x",  "y",  "z",      "nx",
+                                                          "ny", "nz", "radius", "texture"};
+
+template <class List>
+bool contains(const List& list, const std::string& name) {
+  return std::find(list.begin(), list.end(), name) != list.end();
+}
+
+template <class Column>
+void add_names(std::vector<std::string>& names, const std::vector<Column>& columns) {
+  for (const Column& column : columns)
+    if (!contains(names, column.name)) names.push_back(column.name);
+}
+
 /// Checks one element; every complaint begins with its name.
 class Check {
 public:
@@ -64,18 +79,28 @@ public:
     if (found.size() != 1) length_if_any("colours", found, parts);
   }
 
-  void data(const std::vector<Data>& columns, std::size_t parts) const {
+  /// Data or fields, one number for each part.
+  template <class Column>
+  void columns(const char* list, const std::vector<Column>& columns, std::size_t parts) const {
     for (std::size_t i = 0; i < columns.size(); ++i) {
       const std::string& name = columns[i].name;
       const bool plain = !name.empty() && std::all_of(name.begin(), name.end(), [](char c) {
         return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
       });
-      if (!plain || std::find(taken_names.begin(), taken_names.end(), name) != taken_names.end())
-        fail("data may not be called " + in_quotes(name));
+      if (!plain || contains(taken_names, name))
+        fail(std::string(list) + " may not be called " + in_quotes(name));
       for (std::size_t j = 0; j < i; ++j)
-        if (columns[j].name == name) fail("there are two data called " + in_quotes(name));
-      length("data", columns[i].values.size(), parts);
+        if (columns[j].name == name)
+          fail(std::string("there are two ") + list + " called " + in_quotes(name));
+      length(list, columns[i].values.size(), parts);
     }
+  }
+
+  void fields(const char* list, const std::vector<Field>& fields, std::size_t parts) const {
+    columns(list, fields, parts);
+    for (const Field& field : fields)
+      for (const double x : field.values)
+        if (!std::isfinite(x)) fail(in_quotes(field.name) + " has numbers that are not finite");
   }
 
 private:
@@ -94,7 +119,12 @@ void require_sound(const Surface& surface) {
   check.finite("texture coordinates", surface.textures);
   check.indices("triangle", surface.triangles, surface.points.size());
   check.colors(surface.colors, surface.triangles.size());
-  check.data(surface.data, surface.triangles.size());
+  check.columns("data", surface.data, surface.triangles.size());
+  check.fields("fields", surface.cell_fields, surface.triangles.size());
+  check.fields("fields at points", surface.point_fields, surface.points.size());
+  for (const Field& field : surface.point_fields)
+    if (contains(taken_at_points, field.name))
+      check.fail("fields at points may not be called " + in_quotes(field.name));
 }
 
 void require_sound(const Tubes& tubes) {
@@ -109,7 +139,7 @@ void require_sound(const Tubes& tubes) {
   for (std::size_t k = 0; k + 1 < starts.size(); ++k)
     if (starts[k + 1] - starts[k] < 2) check.fail("a polyline of fewer than two points");
   check.colors(tubes.colors, part_count(tubes));
-  check.data(tubes.data, part_count(tubes));
+  check.columns("data", tubes.data, part_count(tubes));
 }
 
 void require_sound(const Cells& cells) {
@@ -119,32 +149,28 @@ void require_sound(const Cells& cells) {
   check.finite("texture coordinates", cells.textures);
   check.indices("tetrahedron", cells.tetrahedra, cells.points.size());
   check.indices("hexahedron", cells.hexahedra, cells.points.size());
-  check.data(cells.data, part_count(cells));
+  check.columns("data", cells.data, part_count(cells));
 }
 
 void require_sound(const Scene& scene) {
   for_each_element(scene, [](const auto& element) { require_sound(element); });
   const Check check("scene", scene.title);
+  const std::vector<std::string> data = data_names(scene);
+  for (const std::string& name : field_names(scene, &Surface::cell_fields))
+    if (contains(data, name)) check.fail("data and a field are both called " + in_quotes(name));
   for (const Label& label : scene.labels) check.finite("labels", std::vector<Point>{label.at});
 }
 
 std::vector<std::string> data_names(const Scene& scene) {
   std::vector<std::string> names;
-  for_each_element(scene, [&](const auto& element) {
-    for (const Data& data : element.data)
-      if (std::find(names.begin(), names.end(), data.name) == names.end()) names.push_back(data.name);
-  });
+  for_each_element(scene, [&](const auto& element) { add_names(names, element.data); });
   return names;
 }
 
-std::vector<const std::vector<int>*> columns_of(const std::vector<Data>& data,
-                                                const std::vector<std::string>& names) {
-  std::vector<const std::vector<int>*> columns;
-  for (const std::string& name : names) {
-    const auto found = std::find_if(data.begin(), data.end(), [&](const Data& d) { return d.name == name; });
-    columns.push_back(found == data.end() ? nullptr : &found->values);
-  }
-  return columns;
+std::vector<std::string> field_names(const Scene& scene, Fields kind) {
+  std::vector<std::string> names;
+  for (const Surface& surface : scene.surfaces) add_names(names, surface.*kind);
+  return names;
 }
 
 AllSurfaces::AllSurfaces(const Scene& scene) {

@@ -5,7 +5,9 @@
 
 #include "tetrarch/scene/scene.hpp"
 
+#include <algorithm>
 #include <cstddef>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -42,14 +44,28 @@ inline Color color_of(const std::vector<Color>& colors, std::size_t k) {
   return colors.empty() ? Color{} : colors[colors.size() == 1 ? 0 : k];
 }
 
-/// The names of all data in the scene, each once, in the order in which they appear.
-std::vector<std::string> data_names(const Scene& scene);
+/// Either kind of fields, those of cells or those of points.
+using Fields = std::vector<Field> Surface::*;
 
-/// The value that an element without these data has.
+/// The names of all data, or fields, in the scene, each once, in the order in which they appear.
+std::vector<std::string> data_names(const Scene& scene);
+std::vector<std::string> field_names(const Scene& scene, Fields kind);
+
+/// What an element has for data and for fields that it lacks.
 inline constexpr int no_value = -1;
+inline constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
+
 /// For each name the list of its values, or null where the element has none.
-std::vector<const std::vector<int>*> columns_of(const std::vector<Data>& data,
-                                                const std::vector<std::string>& names);
+template <class Column>
+auto columns_of(const std::vector<Column>& columns, const std::vector<std::string>& names) {
+  std::vector<const decltype(Column::values)*> found;
+  for (const std::string& name : names) {
+    const auto named = [&name](const Column& column) { return column.name == name; };
+    const auto it = std::find_if(columns.begin(), columns.end(), named);
+    found.push_back(it == columns.end() ? nullptr : &it->values);
+  }
+  return found;
+}
 
 /// The scene as surfaces alone: its own, then the tubes swept, then the outer faces of cells. Those that were
 /// made live here, the others in the scene.

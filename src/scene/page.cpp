@@ -1,37 +1,15 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "tetrarch/scene/page.hpp"
 
+#include "page_data.hpp"
 #include "tessellate.hpp"
-#include "tetrarch/core/error.hpp"
 
 #include <algorithm>
-#include <bit>
-#include <boost/archive/iterators/base64_from_binary.hpp>
-#include <boost/archive/iterators/transform_width.hpp>
 #include <cmath>
 #include <cstdint>
-#include <cstring>
-#include <nlohmann/json.hpp>
 
 namespace tetrarch::scene {
 namespace {
-
-using Json = nlohmann::ordered_json;
-
-static_assert(std::endian::native == std::endian::little, "the page's numbers are little-endian");
-
-template <class Number>
-std::string base64(const std::vector<Number>& numbers) {
-  using namespace boost::archive::iterators;
-  using Digits = base64_from_binary<transform_width<std::string::const_iterator, 6, 8>>;
-  std::string bytes(numbers.size() * sizeof(Number), '\0');
-  if (!numbers.empty()) std::memcpy(bytes.data(), numbers.data(), bytes.size());
-  const std::size_t padding = (3 - bytes.size() % 3) % 3;
-  bytes.append(padding, '\0'); // the digits come in groups of four for three bytes
-  std::string text(Digits(bytes.cbegin()), Digits(bytes.cend()));
-  text.replace(text.size() - padding, padding, padding, '=');
-  return text;
-}
 
 void append(std::vector<float>& list, const Vector4& v) {
   for (const double x : v) list.push_back(static_cast<float>(x));
@@ -134,40 +112,17 @@ Json body_json(const Body& body) {
 } // namespace
 
 std::string page_data(const Page& page) {
-  Json tables = Json::array();
-  for (const InfoTable& table : page.tables) {
-    Json entry{{"heading", table.heading}, {"rows", table.rows}};
-    if (!table.columns.empty()) entry["columns"] = table.columns;
-    tables.push_back(std::move(entry));
-  }
   Json bodies = Json::array();
   for (const Body& body : page.bodies) bodies.push_back(body_json(body));
-  const Json data{{"format", "tetrarch view"},
-                  {"version", 1},
-                  {"title", page.title},
-                  {"tables", tables},
-                  {"bodies", bodies}};
-  // "<" could end the script element that the text stands in.
-  std::string text;
-  for (const char c : data.dump(-1, ' ', false, Json::error_handler_t::replace))
-    if (c == '<')
-      text += "\\u003c";
-    else
-      text += c;
-  return text;
+  return as_script({{"format", "tetrarch view"},
+                    {"version", 1},
+                    {"title", page.title},
+                    {"tables", as_json(page.tables)},
+                    {"bodies", bodies}});
 }
 
 std::string write_page(const Page& page) {
-  constexpr std::string_view slot = "TETRARCH_SCENE";
-  const std::string_view viewer = viewer_page();
-  if (viewer.empty()) return {};
-  const std::size_t at = viewer.find(slot);
-  if (at == std::string_view::npos)
-    throw PreconditionError("write_page: the viewer has no place for the scene");
-  std::string text(viewer.substr(0, at));
-  text += page_data(page);
-  text += viewer.substr(at + slot.size());
-  return text;
+  return filled(viewer_page(), [&page] { return page_data(page); });
 }
 
 } // namespace tetrarch::scene

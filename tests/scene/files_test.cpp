@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <catch2/catch.hpp>
+#include <cmath>
 #include <cstring>
 #include <functional>
 #include <limits>
@@ -158,6 +159,40 @@ TEST_CASE("VTU is read back as the same triangles and tetrahedra", "[scene]") {
   CHECK(soup.tetrahedra == tetrahedra);
 }
 
+TEST_CASE("PLY and VTU hold fields of real numbers, and NaN where there are none", "[scene]") {
+  Scene scene = one_of_each();
+  scene.surfaces.insert(scene.surfaces.begin(), square());
+  scene.surfaces[1].cell_fields = {{"error", {1.5, 1e-300}}};
+  scene.surfaces[1].point_fields = {{"angle", {0.1, -2, 3, 4}}, {"height", {5, 6, 7, 8}}};
+  const auto is_nan = [](double x) { return std::isnan(x); };
+
+  // By hand: two squares of 2 triangles and 4 points each come first.
+  const std::string vtu = write_scene(scene, SceneFormat::vtu);
+  const std::vector<double> errors = vtu_array<double>(vtu, "error");
+  REQUIRE(errors.size() == vtu_array<std::uint8_t>(vtu, "types").size());
+  CHECK(std::vector<double>(errors.begin() + 2, errors.begin() + 4) == std::vector<double>{1.5, 1e-300});
+  CHECK(std::count_if(errors.begin(), errors.end(), is_nan) == static_cast<int>(errors.size()) - 2);
+  const std::vector<double> angles = vtu_array<double>(vtu, "angle");
+  REQUIRE(angles.size() == vtu_array<double>(vtu, "points").size() / 3);
+  CHECK(std::vector<double>(angles.begin() + 4, angles.begin() + 8) == std::vector<double>{0.1, -2, 3, 4});
+  CHECK(std::count_if(angles.begin(), angles.end(), is_nan) == static_cast<int>(angles.size()) - 4);
+  CHECK(vtu.find("Name=\"height\"") < vtu.find("<CellData>"));
+  CHECK(vtu.find("Name=\"error\"") > vtu.find("<CellData>"));
+
+  const std::string ply = write_scene(scene, SceneFormat::ply);
+  CHECK_THAT(ply, Contains("nz\nproperty double angle\nproperty double height\nelement face"));
+  CHECK_THAT(ply, Contains("property int cell\nproperty double error\nend_header"));
+  // 4 + 4 + 26 + 18 + 16 points of 24 bytes of position, 12 of normal, 2 doubles.
+  const std::size_t points_at = ply.find("end_header\n") + 11;
+  CHECK(numbers<double>(ply, points_at + 4 * 52 + 36, 2) == std::vector<double>{0.1, 5});
+  CHECK(is_nan(numbers<double>(ply, points_at + 36, 1)[0]));
+  // 13 bytes of corners, 4 of colour, 5 integers, then the field.
+  const std::size_t faces_at = points_at + (4 + 4 + 26 + 18 + 16) * 52;
+  CHECK(numbers<double>(ply, faces_at + 3 * 45 + 37, 1) == std::vector<double>{1e-300});
+  CHECK(is_nan(numbers<double>(ply, faces_at + 37, 1)[0]));
+  CHECK(format::read_soup(ply, "scene").triangles.size() == 2 + 2 + 80 + 24);
+}
+
 TEST_CASE("an empty scene is a file all the same", "[scene]") {
   Scene nothing;
   Scene hollow;
@@ -212,6 +247,34 @@ TEST_CASE("scenes that break their rules are refused", "[scene]") {
       {"may not be called ''", [](Scene& s) { s.surfaces[0].data[1].name = ""; }},
       {"may not be called 'element'", [](Scene& s) { s.surfaces[0].data[1].name = "element"; }},
       {"two data called 'tetrahedron'", [](Scene& s) { s.surfaces[0].data[1].name = "tetrahedron"; }},
+      {"1 fields, expected 2",
+       [](Scene& s) {
+         s.surfaces[0].cell_fields = {{"f", {1}}};
+       }},
+      {"2 fields at points, expected 4",
+       [](Scene& s) {
+         s.surfaces[0].point_fields = {{"f", {1, 2}}};
+       }},
+      {"'f' has numbers that are not finite",
+       [](Scene& s) {
+         s.surfaces[0].cell_fields = {{"f", {1, nan}}};
+       }},
+      {"may not be called 'radius'",
+       [](Scene& s) {
+         s.surfaces[0].point_fields = {{"radius", {1, 2, 3, 4}}};
+       }},
+      {"may not be called 'a b'",
+       [](Scene& s) {
+         s.surfaces[0].cell_fields = {{"a b", {1, 2}}};
+       }},
+      {"two fields called 'f'",
+       [](Scene& s) {
+         s.surfaces[0].cell_fields = {{"f", {1, 2}}, {"f", {1, 2}}};
+       }},
+      {"both called 'edge'",
+       [](Scene& s) {
+         s.surfaces[0].cell_fields = {{"edge", {1, 2}}};
+       }},
       {"4 radii, expected 5", [](Scene& s) { s.tubes[0].radii.pop_back(); }},
       {"no length", [](Scene& s) { s.tubes[0].radii[0] = -1; }},
       {"no length", [](Scene& s) { s.tubes[0].radii[0] = inf; }},

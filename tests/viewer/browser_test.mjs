@@ -5,10 +5,10 @@
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { basename, join } from 'node:path';
-import { address, openBrowser, takeModules } from '../../tools/viewer/browser.mjs';
+import { openBrowser, takeModules } from '../../tools/viewer/browser.mjs';
 import { openEyes } from './eyes.mjs';
+import { check, conclude, failures, said, Visit } from './visit.mjs';
 
-const DESKTOP = { width: 820, height: 420 };
 const PHONE = { width: 375, height: 667 };
 /// A body must change at least this share of the picture's pixels, or it is not seen.
 const SEEN = 0.01;
@@ -34,80 +34,6 @@ const CONTROLS = [
 
 const args = process.argv.slice(2);
 const modules = takeModules(args);
-let checked = 0;
-const failures = [];
-
-function check(condition, what) {
-  ++checked;
-  if (!condition) {
-    failures.push(what);
-    console.log(`FAILED: ${what}`);
-  }
-}
-
-const said = (what) => console.log(`  ${what}`);
-
-/// A page opened in a browser tab, with everything it complained about or asked the network for.
-class Visit {
-  static async open(browser, file, { hash = '', viewport = DESKTOP, scheme = 'light', without = '' } = {}) {
-    const visit = new Visit();
-    visit.troubles = [];
-    visit.tab = await browser.newPage({ viewport, colorScheme: scheme });
-    visit.tab.on('console', (m) => {
-      if (['error', 'warning'].includes(m.type())) visit.troubles.push(`${m.type()}: ${m.text()}`);
-    });
-    visit.tab.on('pageerror', (error) => visit.troubles.push(`uncaught: ${error.message}`));
-    visit.tab.on('request', (request) => {
-      if (!request.url().startsWith(address(file)) && !request.url().startsWith('data:'))
-        visit.troubles.push(`request: ${request.url()}`);
-    });
-    visit.tab.on('requestfailed', (request) => visit.troubles.push(`failed: ${request.url()}`));
-    if (without) await visit.tab.addInitScript(without);
-    await visit.tab.goto(address(file, hash));
-    await visit.tab.waitForSelector('html[data-ready]', { state: 'attached' });
-    return visit;
-  }
-
-  close() {
-    return this.tab.close();
-  }
-  drawn() {
-    return this.tab.evaluate(() => window.tetrarch.drawn());
-  }
-  settings() {
-    return this.tab.evaluate(() => window.tetrarch.settings());
-  }
-  picture() {
-    return this.tab.locator('#canvas').screenshot();
-  }
-
-  /// Do something and wait until the page has drawn again. Says whether it did.
-  async after(act) {
-    const before = await this.drawn();
-    await act();
-    return this.tab
-      .waitForFunction((n) => window.tetrarch.drawn() > n, before, { timeout: 8000 })
-      .then(
-        () => true,
-        () => false,
-      );
-  }
-
-  /// Move a slider as a hand does: the value, then the event.
-  slide(id, value) {
-    return this.tab.locator(`#${id}`).evaluate((slider, x) => {
-      slider.value = x;
-      slider.dispatchEvent(new Event('input', { bubbles: true }));
-    }, value);
-  }
-
-  type(value) {
-    return this.tab
-      .locator('#copies-number')
-      .fill(String(value))
-      .then(() => this.tab.locator('#copies-number').press('Enter'));
-  }
-}
 
 async function checkViews(visit, eyes, name) {
   const bodies = await visit.tab.locator('#body option').allTextContents();
@@ -418,7 +344,4 @@ try {
   await browser.close();
   rmSync(folder, { recursive: true });
 }
-console.log(
-  failures.length ? `${failures.length} of ${checked} checks FAILED` : `all ${checked} checks passed`,
-);
-process.exit(failures.length ? 1 : 0);
+conclude();

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Makes the page's template: node bundle.mjs OUT.html, in the folder that holds src and node_modules.
+// Makes the pages' templates, viewer.html and texture.html, in the folder that holds src and node_modules.
 import { build } from 'esbuild';
 import { readFileSync, renameSync, writeFileSync } from 'node:fs';
 
-const out = process.argv[2];
+/// Where each page's controls and code lie.
+const PAGES = { 'viewer.html': 'src', 'texture.html': 'src/texture' };
 
 /// Old browsers show no WebGL 2 anyway; ASCII alone survives every wrong guess of an encoding on the way to
 /// the reader.
@@ -29,17 +30,25 @@ function licences() {
   return `This page contains three.js ${version}, which is free software:\n\n${text}\n`;
 }
 
-const parts = {
-  '<!-- TETRARCH_LICENCES -->': `<!--\n${licences()}-->`,
-  TETRARCH_STYLE: await bundled('src/page.css'),
-  TETRARCH_CODE: await bundled('src/main.js'),
-};
-let page = readFileSync('src/page.html', 'utf8');
-for (const [token, text] of Object.entries(parts)) {
-  if (page.split(token).length !== 2) throw new Error(`${token} must stand in the page once`);
-  page = page.replace(token, () => text);
+async function template(folder) {
+  const parts = {
+    '<!-- TETRARCH_LICENCES -->': `<!--\n${licences()}-->`,
+    TETRARCH_STYLE: await bundled('src/page.css'),
+    TETRARCH_CONTROLS: readFileSync(`${folder}/controls.html`, 'utf8').trim(),
+    TETRARCH_CODE: await bundled(`${folder}/main.js`),
+  };
+  let page = readFileSync('src/page.html', 'utf8');
+  for (const [token, text] of Object.entries(parts)) {
+    if (page.split(token).length !== 2) throw new Error(`${token} must stand in the page once`);
+    page = page.replace(token, () => text);
+  }
+  if (page.split('TETRARCH_SCENE').length !== 2)
+    throw new Error('TETRARCH_SCENE must stand in the page once');
+  if (/[^\x00-\x7f]/.test(page)) throw new Error('the page must be ASCII');
+  return page;
 }
-if (page.split('TETRARCH_SCENE').length !== 2) throw new Error('TETRARCH_SCENE must stand in the page once');
-if (/[^\x00-\x7f]/.test(page)) throw new Error('the page must be ASCII');
-writeFileSync(`${out}.part`, page);
-renameSync(`${out}.part`, out);
+
+for (const [name, folder] of Object.entries(PAGES)) {
+  writeFileSync(`${name}.part`, await template(folder));
+  renameSync(`${name}.part`, name);
+}

@@ -1,10 +1,20 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
-/// One self-contained page to look at and turn around: the viewer (tools/viewer, bundled when the program was
-/// built) with the bodies in it, in R^{3,1}. The page bends them into whatever model is chosen.
+/// Self-contained pages to look at and turn around: a viewer (tools/viewer, bundled when the program was
+/// built) with what it shows in it.
+///
+///     Page          bodies in R^{3,1}, which the page bends into whatever model is chosen
+///     TexturePage   a surface beside its image in a domain, both with the same pattern:
+///
+///                       .-----------.   .-----------.
+///                      / # # #  # # |   | # # # # # |    a chessboard, say, in texture coordinates; where
+///                     |  # # (#) # /    | # #(#)# # |    the map is conformal its squares stay squares,
+///                      \_# # #__#_/    | # # # # # |    of whatever size
+///                        surface           domain
 
 #include "tetrarch/scene/body.hpp"
+#include "tetrarch/scene/scene.hpp"
 
 #include <string>
 #include <string_view>
@@ -26,16 +36,33 @@ struct Page {
   std::vector<Body> bodies; ///< the first is shown first
 };
 
+/// Of each scene the first surface is shown, which must have texture coordinates, and the tubes as lines of
+/// the colours of their polylines; those with data `loop` are told apart by it, others by their number. A
+/// domain all of whose points have the same z is looked at from above.
+struct TexturePage {
+  std::string title;
+  std::vector<InfoTable> tables;
+  Scene surface;
+  Scene domain;
+};
+
 /// What the page's script reads, as JSON: version 1 of "tetrarch view". Points are 32-bit floats in base 64.
 /// O(size); patches and arcs are cut to a chord error of 1/400 in the first copy, in the half space and the
 /// ball alike.
 std::string page_data(const Page& page);
 
+/// Likewise: version 1 of "tetrarch texture". Each scene is moved and scaled into the unit ball, and has the
+/// triangles and texture coordinates only where they differ from the surface's. O(size). Throws
+/// PreconditionError for scenes that break their rules (scene.hpp), or have no surface with textures.
+std::string page_data(const TexturePage& page);
+
 /// The page, or nothing where the viewer is missing: see `viewer_missing_reason`.
 std::string write_page(const Page& page);
+std::string write_page(const TexturePage& page);
 
-/// The bundled viewer; empty where the program was built without it, and then why, as a sentence.
+/// The bundled viewers; empty where the program was built without them, and then why, as a sentence.
 std::string_view viewer_page();
+std::string_view texture_viewer_page();
 std::string_view viewer_missing_reason();
 
 } // namespace tetrarch::scene

@@ -41,6 +41,13 @@ struct Data {
   std::vector<int> values;
 };
 
+/// A real number on every triangle or at every point: an error, a potential, an angle.
+struct Field {
+  /// Like those of data, and none of theirs; at points not x, y, z, nx, ny, nz, radius, texture either.
+  std::string name;
+  std::vector<double> values; ///< finite
+};
+
 struct Surface {
   std::string name;
   std::vector<Point> points;
@@ -49,6 +56,8 @@ struct Surface {
   std::vector<std::array<int, 3>> triangles;   ///< counter-clockwise from outside
   std::vector<Color> colors;                   ///< one per triangle, or one for all, or none
   std::vector<Data> data;                      ///< per triangle
+  std::vector<Field> cell_fields{};            ///< per triangle
+  std::vector<Field> point_fields{};           ///< per point
 };
 
 struct Tubes {

@@ -14,6 +14,7 @@ export const THEMES = {
     line: '#8b8f96',
     ground: '#d9dade',
     planar: '#ffffff',
+    rim: '#5b616a',
   },
   dark: {
     background: '#14171c',
@@ -22,6 +23,7 @@ export const THEMES = {
     line: '#7d8590',
     ground: '#2b313b',
     planar: '#1c2027',
+    rim: '#14171c',
   },
 };
 

@@ -1,26 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The scene that `tetrarch view` wrote into the page: read, unpacked and checked.
-
-export class SceneError extends Error {}
+// The scene that `tetrarch view` wrote into the page.
+import { demand, readData, unpack } from './unpack.js';
 
 const IDENTITY = new Float32Array([1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1]);
-
-/// Arrays come as base64 of little-endian numbers, which is how every graphics card's machine stores them
-/// too.
-function unpack(text, Type, what) {
-  let bytes;
-  try {
-    bytes = Uint8Array.from(atob(text), (c) => c.charCodeAt(0));
-  } catch {
-    throw new SceneError(`${what} is not base64.`);
-  }
-  if (bytes.length % Type.BYTES_PER_ELEMENT) throw new SceneError(`${what} ends in the middle of a number.`);
-  return new Type(bytes.buffer);
-}
-
-function demand(condition, message) {
-  if (!condition) throw new SceneError(message);
-}
 
 function readSurface(surface, where) {
   const read = {
@@ -93,24 +75,10 @@ function readBody(body, index) {
   };
 }
 
-/// The scene in the text, or a SceneError whose message can be shown to a person.
+/// The scene in the text, or a SceneError.
 export function readScene(text) {
-  let data;
-  try {
-    data = JSON.parse(text);
-  } catch {
-    throw new SceneError('This page holds no scene: it is the empty template.');
-  }
-  demand(data.format === 'tetrarch view', 'The data in this page are not a scene of Tetrarch.');
-  demand(
-    data.version === 1,
-    `The data in this page are of version ${data.version}; this page shows version 1. Write it again with \`tetrarch view\`.`,
-  );
-  demand(data.bodies?.length > 0, 'The scene is empty.');
-  try {
-    return { title: data.title, tables: data.tables ?? [], bodies: data.bodies.map(readBody) };
-  } catch (error) {
-    if (error instanceof SceneError) throw error;
-    throw new SceneError(`The scene lacks something: ${error.message}.`);
-  }
+  return readData(text, 'tetrarch view', 'tetrarch view', (data) => {
+    demand(data.bodies?.length > 0, 'The scene is empty.');
+    return { bodies: data.bodies.map(readBody) };
+  });
 }

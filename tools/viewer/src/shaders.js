@@ -129,10 +129,26 @@ void main() {
 `;
 
 /// Light: a sky above and a ground below, a key light over the viewer's left shoulder, a little gloss, and a
-/// rim that sets silhouettes off. Far things fade slightly towards the background. `side` keeps one side of a
-/// surface (1 the outer, -1 the inner, 0 both); culling by the card would keep the wrong one for copies that
-/// are mirrored.
-export const litFragment = /* glsl */ `
+/// rim that sets silhouettes off. `lit` is the colour to display of a linear one.
+export const lighting = /* glsl */ `
+vec3 linear(vec3 c) { return mix(c / 12.92, pow((c + 0.055) / 1.055, vec3(2.4)), step(0.04045, c)); }
+vec3 display(vec3 c) { return mix(c * 12.92, 1.055 * pow(max(c, 0.0), vec3(1.0 / 2.4)) - 0.055, step(0.0031308, c)); }
+
+vec3 lit(vec3 base, vec3 n, vec3 toEye, vec3 up) {
+  if (dot(n, toEye) < 0.0) n = -n;
+  vec3 key = normalize(vec3(-0.45, 0.65, 0.75));
+  float direct = max(dot(n, key), 0.0);
+  vec3 ambient = mix(vec3(0.40, 0.39, 0.39), vec3(0.58, 0.60, 0.62), 0.5 + 0.5 * dot(n, up));
+  float gloss = pow(max(dot(n, normalize(key + toEye)), 0.0), 42.0);
+  float rim = pow(1.0 - max(dot(n, toEye), 0.0), 3.0);
+  return display(base * (ambient + 0.56 * direct) + 0.07 * gloss + 0.10 * rim * mix(base, vec3(1.0), 0.5));
+}
+`;
+
+/// Far things fade slightly towards the background. `side` keeps one side of a surface (1 the outer, -1 the
+/// inner, 0 both); culling by the card would keep the wrong one for copies that are mirrored.
+export const litFragment =
+  /* glsl */ `
 precision highp float;
 in vec3 seen;
 in vec3 normal;
@@ -148,10 +164,9 @@ uniform vec3 up;
 uniform bool flatLook;
 uniform bool perspective;
 out vec4 colour;
-
-vec3 linear(vec3 c) { return mix(c / 12.92, pow((c + 0.055) / 1.055, vec3(2.4)), step(0.04045, c)); }
-vec3 display(vec3 c) { return mix(c * 12.92, 1.055 * pow(max(c, 0.0), vec3(1.0 / 2.4)) - 0.055, step(0.0031308, c)); }
-
+` +
+  lighting +
+  /* glsl */ `
 void main() {
   bool outer = gl_FrontFacing != (mirrored > 0.5);
   if (side != 0 && outer != (side > 0)) discard;
@@ -161,15 +176,7 @@ void main() {
     return;
   }
   vec3 toEye = perspective ? normalize(-seen) : vec3(0.0, 0.0, 1.0);
-  vec3 n = normalize(normal);
-  if (dot(n, toEye) < 0.0) n = -n;
-  vec3 key = normalize(vec3(-0.45, 0.65, 0.75));
-  float direct = max(dot(n, key), 0.0);
-  vec3 ambient = mix(vec3(0.40, 0.39, 0.39), vec3(0.58, 0.60, 0.62), 0.5 + 0.5 * dot(n, up));
-  float gloss = pow(max(dot(n, normalize(key + toEye)), 0.0), 42.0);
-  float rim = pow(1.0 - max(dot(n, toEye), 0.0), 3.0);
-  vec3 lit = base * (ambient + 0.56 * direct) + 0.07 * gloss + 0.10 * rim * mix(base, vec3(1.0), 0.5);
-  vec3 shown = display(lit);
+  vec3 shown = lit(base, normalize(normal), toEye, up);
   float far = clamp((-seen.z - haze.x) / (haze.y - haze.x), 0.0, 1.0);
   colour = vec4(mix(shown, background, 0.4 * far), opacity);
 }

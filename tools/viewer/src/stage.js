@@ -1,21 +1,17 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The picture: renderer, camera, scenery and the body shown. It draws when something changed, not all the
-// time.
-import { Color, Scene, WebGLRenderer } from 'three';
+// The picture: camera, scenery and the body shown.
+import { Scene } from 'three';
+import { NOT_SET } from './address.js';
 import { BodyView } from './body.js';
 import { framed } from './bounds.js';
 import { Cameras, FIRST_DIRECTION } from './cameras.js';
 import { THEMES } from './palette.js';
 import { Scenery } from './scenery.js';
-import { NOT_SET } from './settings.js';
+import { Screen } from './screen.js';
 
-/// More device pixels than this per CSS pixel cannot be seen, only waited for.
-const DENSEST = 2;
-
-export class Stage {
+export class Stage extends Screen {
   constructor(canvas, context, onCamera) {
-    this.canvas = canvas;
-    this.renderer = new WebGLRenderer({ canvas, context, antialias: true, alpha: true });
+    super(canvas, context);
     this.scene = new Scene();
     this.scenery = new Scenery();
     this.scene.add(this.scenery.object);
@@ -23,9 +19,6 @@ export class Stage {
       this.draw();
       onCamera();
     });
-    this.drawn = 0;
-    this.size = [1, 1];
-    this.density = 1;
   }
 
   get placed() {
@@ -47,9 +40,7 @@ export class Stage {
     this.view.update(settings, this.theme);
     this.frame = framed(body, settings);
     this.scenery.update(body.view, settings, this.theme, this.frame);
-    this.renderer.setClearColor(new Color().setRGB(0, 0, 0), 0);
-    this.renderer.setClearAlpha(settings.background === 'none' ? 0 : 1);
-    if (settings.background !== 'none') this.renderer.setClearColor(this.theme.background, 1);
+    this.setBackground(this.theme.background, settings);
     this.draw();
   }
 
@@ -76,28 +67,8 @@ export class Stage {
     };
   }
 
-  resize() {
-    const { clientWidth, clientHeight } = this.canvas.parentElement;
-    if (!clientWidth || !clientHeight) return;
-    this.setSize(clientWidth, clientHeight, Math.min(devicePixelRatio, DENSEST));
-    this.draw();
-  }
-
-  setSize(width, height, density) {
-    this.size = [width, height];
-    this.density = density;
-    this.renderer.setPixelRatio(density);
-    this.renderer.setSize(width, height, false);
+  arrange(width, height) {
     this.cameras.resize(width / height);
-  }
-
-  draw() {
-    if (this.waiting) return;
-    this.waiting = requestAnimationFrame(() => {
-      this.waiting = 0;
-      this.render();
-      document.documentElement.dataset.ready = '1';
-    });
   }
 
   render() {
@@ -108,23 +79,5 @@ export class Stage {
     this.view.look(cameras.camera, measures);
     if (cameras.planar) this.scenery.look(this.view.body.view, cameras.camera, this.density);
     this.renderer.render(this.scene, cameras.camera);
-    ++this.drawn;
-  }
-
-  /// A PNG as a data: address, `density` pixels for each of width x height; drawn `finer` times as fine and
-  /// averaged.
-  async picture(width, height, density, finer) {
-    const before = [...this.size, this.density];
-    this.setSize(width, height, density * finer);
-    this.render();
-    const paper = document.createElement('canvas');
-    paper.width = width * density;
-    paper.height = height * density;
-    const pen = paper.getContext('2d');
-    pen.imageSmoothingQuality = 'high';
-    pen.drawImage(this.canvas, 0, 0, paper.width, paper.height);
-    this.setSize(...before);
-    this.draw();
-    return paper.toDataURL('image/png');
   }
 }
