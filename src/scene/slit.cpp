@@ -9,6 +9,7 @@
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <string>
 #include <utility>
 
 namespace tetrarch::scene {
@@ -20,110 +21,115 @@ using Place = std::array<double, 2>;
 
 constexpr double full_turn = 2 * std::numbers::pi;
 
-/// The domain in the plane. The first places are those of the vertices, by their numbers; then come the
-/// second places of those on the seam.
-struct Chart {
-  std::vector<Place> places;
-  std::vector<int> vertex;                 ///< of each place
-  std::vector<std::array<int, 3>> corners; ///< of each triangle: places
-
-  int place_at(SideEnd e) const { return corners[e.side.triangle()][e.corner()]; }
-  int place_from(Side s) const { return corners[s.triangle()][s.next().corner()]; }
-  int place_to(Side s) const { return corners[s.triangle()][s.previous().corner()]; }
-};
-
-Chart ring(const slit::OneForms& forms, const slit::SlitMap& map) {
-  Chart chart;
-  const mesh::Surface& surface = forms.mesh().surface;
-  for (int v = 0; v < surface.vertex_count(); ++v) {
-    const auto z = map.concentric(v);
-    chart.places.push_back({z.real(), z.imag()});
-    chart.vertex.push_back(v);
-  }
-  chart.corners = surface.triangles();
-  return chart;
+int place_at(const Layout& layout, SideEnd e) {
+  return layout.corners[e.side.triangle()][e.corner()];
+}
+int place_from(const Layout& layout, Side s) {
+  return place_at(layout, {s, true});
+}
+int place_to(const Layout& layout, Side s) {
+  return place_at(layout, {s, false});
 }
 
-Chart rectangle(const slit::OneForms& forms, const slit::SlitMap& map) {
+/// Gives the corners of triangles places: the first one that a vertex gets is its own, others follow after
+/// all vertices, one for each shift.
+class Placer {
+public:
+  explicit Placer(const mesh::Surface& surface) : surface_(surface) {
+    const auto vertices = static_cast<std::size_t>(surface.vertex_count());
+    layout_.places.resize(vertices);
+    layout_.corners = surface.triangles();
+    for (int v = 0; v < surface.vertex_count(); ++v) layout_.vertex.push_back(v);
+    shift_of_first_.resize(vertices);
+    is_met_.resize(vertices, 0);
+  }
+
+  /// Places with equal shifts are equal but for rounding.
+  void put(int triangle, int corner, const Place& place, long long shift) {
+    const int v = surface_.corners(triangle)[corner];
+    if (!std::exchange(is_met_[v], 1)) {
+      shift_of_first_[v] = shift;
+      layout_.places[v] = place;
+    }
+    if (shift_of_first_[v] == shift) return;
+    const auto [found, is_new] = seconds_.try_emplace({v, shift}, static_cast<int>(layout_.places.size()));
+    layout_.corners[triangle][corner] = found->second;
+    if (!is_new) return;
+    layout_.places.push_back(place);
+    layout_.vertex.push_back(v);
+  }
+
+  Layout take() { return std::move(layout_); }
+
+private:
+  const mesh::Surface& surface_;
+  Layout layout_;
+  std::vector<long long> shift_of_first_;
+  std::vector<char> is_met_;
+  std::map<std::pair<int, long long>, int> seconds_; // by vertex and shift
+};
+
+Layout rectangle(const slit::OneForms& forms, const slit::SlitMap& map) {
   const mesh::Surface& surface = forms.mesh().surface;
   const slit::ParallelDomain domain = slit::parallel_domain(surface, map);
-  constexpr int unmet = -100; // whole turns: corners are less than one away from their angle
-  std::vector<int> turn_of_first(static_cast<std::size_t>(surface.vertex_count()), unmet);
-  std::map<std::pair<int, int>, int> seconds; // by vertex and turn
-  Chart chart;
-  chart.places.resize(turn_of_first.size());
-  for (int v = 0; v < surface.vertex_count(); ++v) chart.vertex.push_back(v);
-  for (int t = 0; t < surface.triangle_count(); ++t) {
-    chart.corners.push_back(surface.corners(t));
+  Placer placer(surface);
+  for (int t = 0; t < surface.triangle_count(); ++t)
     for (int c = 0; c < 3; ++c) {
       const int v = surface.corners(t)[c];
       // The turn and not the place itself, whose last digits depend on the triangle.
-      const auto turn = static_cast<int>(std::lround((domain.corners[t][c][0] - map.angle[v]) / full_turn));
-      const Place place{map.angle[v] + turn * full_turn, -map.log_radius[v]};
-      if (turn_of_first[v] == unmet) {
-        turn_of_first[v] = turn;
-        chart.places[v] = place;
-      }
-      if (turn_of_first[v] == turn) continue;
-      const auto [found, is_new] = seconds.try_emplace({v, turn}, static_cast<int>(chart.places.size()));
-      chart.corners[t][c] = found->second;
-      if (!is_new) continue;
-      chart.places.push_back(place);
-      chart.vertex.push_back(v);
+      const long long turn = std::llround((domain.corners[t][c][0] - map.angle[v]) / full_turn);
+      const double angle = map.angle[v] + static_cast<double>(turn) * full_turn;
+      placer.put(t, c, {angle, -map.log_radius[v]}, turn);
     }
-  }
-  return chart;
-}
-
-Chart chart_of(const slit::OneForms& forms, const slit::SlitMap& map, SlitDomain domain) {
-  return domain == SlitDomain::concentric ? ring(forms, map) : rectangle(forms, map);
-}
-
-Place texture(const Place& place, const slit::SlitMap& map, SlitDomain domain) {
-  if (domain == SlitDomain::concentric) return {(place[0] + 1) / 2, (place[1] + 1) / 2};
-  return {place[0] / full_turn, place[1] / map.modulus};
+  Layout result = placer.take();
+  result.name = "parallel slit domain";
+  for (const Place& place : result.places)
+    result.textures.push_back({place[0] / full_turn, place[1] / map.modulus});
+  return result;
 }
 
 /// Each loop as the places one comes by, closed, and cut at the seam.
-std::vector<std::vector<int>> paths(const Chart& chart, const mesh::BoundaryLoop& loop) {
+std::vector<std::vector<int>> paths(const Layout& layout, const mesh::BoundaryLoop& loop) {
   std::vector<std::vector<int>> result;
   for (const SideEnd e : loop.sides) {
-    const int here = chart.place_at(e);
-    const int there = chart.place_at({e.side, !e.at_start});
+    const int here = place_at(layout, e);
+    const int there = place_at(layout, {e.side, !e.at_start});
     if (result.empty() || result.back().back() != here) result.push_back({here});
     result.back().push_back(there);
   }
   return result;
 }
 
-Tubes loop_tubes(const slit::OneForms& forms, const Chart& chart, const std::vector<Point>& points) {
+Tubes loop_tubes(const mesh::TriangleMesh& mesh, const Layout& layout, const std::vector<Point>& points) {
   Tubes tubes;
   tubes.name = "loops";
   Data number{"loop", {}};
-  for (int k = 0; k < forms.loop_count(); ++k)
-    for (const auto& path : paths(chart, forms.loops()[k])) {
+  for (const mesh::BoundaryLoop& loop : mesh::boundary_loops(mesh)) {
+    const int index = number.values.empty() ? 0 : number.values.back() + 1;
+    for (const auto& path : paths(layout, loop)) {
       for (const int place : path) tubes.points.push_back(points[place]);
       tubes.starts.push_back(static_cast<int>(tubes.points.size()));
-      tubes.colors.push_back(qualitative(k));
-      number.values.push_back(k);
+      tubes.colors.push_back(qualitative(index));
+      number.values.push_back(index);
     }
+  }
   tubes.radii.assign(tubes.points.size(), size_of(points) / 300);
   tubes.data.push_back(std::move(number));
   return tubes;
 }
 
-constexpr Color pale{225, 225, 220};
-
-/// `points` has one for each place of the chart.
-Scene scene_of(const slit::OneForms& forms, const Chart& chart, std::vector<Point> points,
+/// `points` has one for each place.
+Scene scene_of(const mesh::TriangleMesh& mesh, const Layout& layout, std::vector<Point> points,
                const std::string& title) {
+  constexpr Color pale{225, 225, 220};
   Scene scene;
   scene.title = title;
-  scene.tubes.push_back(loop_tubes(forms, chart, points));
+  scene.tubes.push_back(loop_tubes(mesh, layout, points));
   Surface surface;
   surface.name = title;
   surface.points = std::move(points);
-  surface.triangles = chart.corners;
+  surface.textures = layout.textures;
+  surface.triangles = layout.corners;
   surface.colors = {pale};
   scene.surfaces.push_back(std::move(surface));
   return scene;
@@ -131,30 +137,77 @@ Scene scene_of(const slit::OneForms& forms, const Chart& chart, std::vector<Poin
 
 } // namespace
 
-Scene slit_domain(const slit::OneForms& forms, const slit::SlitMap& map, SlitDomain domain) {
-  Chart chart = chart_of(forms, map, domain);
-  std::vector<Point> points;
-  if (domain == SlitDomain::cylindric) {
-    chart.corners = forms.mesh().surface.triangles(); // round again: there is no seam
-    for (int v = 0; v < forms.mesh().surface.vertex_count(); ++v) points.push_back(map.cylindric(v));
-  } else {
-    for (const Place& place : chart.places) points.push_back({place[0], place[1], 0});
+Layout layout(const slit::OneForms& forms, const slit::SlitMap& map, SlitDomain domain) {
+  if (domain != SlitDomain::concentric) {
+    Layout result = rectangle(forms, map);
+    if (domain == SlitDomain::parallel) return result;
+    result.name = "cylindric slit domain";
+    for (const auto& [angle, height] : result.places)
+      result.rolled.push_back({std::cos(angle), std::sin(angle), height});
+    return result;
   }
-  return scene_of(forms, chart, std::move(points), "slit domain");
+  std::vector<std::complex<double>> position;
+  for (int v = 0; v < forms.mesh().surface.vertex_count(); ++v) position.push_back(map.concentric(v));
+  Layout result = disk_layout(forms.mesh(), position);
+  result.name = "concentric slit domain";
+  return result;
 }
 
-Scene textured_surface(const slit::OneForms& forms, const slit::SlitMap& map, SlitDomain domain) {
-  const Chart chart = chart_of(forms, map, domain);
+Layout basis_layout(const slit::OneForms& forms, int loop) {
+  const mesh::Surface& surface = forms.mesh().surface;
+  const slit::HolomorphicOneForm form = slit::holomorphic_one_form(forms, loop);
+  std::vector<double> lag(static_cast<std::size_t>(surface.vertex_count()), 0.0);
+  for (int i = 1; i < forms.loop_count(); ++i)
+    for (std::size_t v = 0; v < lag.size(); ++v) lag[v] += forms.flux(i, loop) * forms.lag(i)[v];
+  Placer placer(surface);
+  for (int t = 0; t < surface.triangle_count(); ++t) {
+    const auto& v = surface.corners(t);
+    const double first = lag[v[0]];
+    const std::array along{first, first + form.imaginary[Side(t, 2).value],
+                           first - form.imaginary[Side(t, 1).value]};
+    constexpr double resolution = 1e-6;
+    for (int c = 0; c < 3; ++c)
+      placer.put(t, c, {forms.potential(loop)[v[c]], along[c]},
+                 std::llround((along[c] - lag[v[c]]) / resolution));
+  }
+  Layout result = placer.take();
+  result.name = "holomorphic one-form of loop " + std::to_string(loop);
+  result.textures = result.places;
+  return result;
+}
+
+Layout disk_layout(const mesh::TriangleMesh& mesh, const std::vector<std::complex<double>>& position) {
+  Layout result;
+  result.name = "circular domain";
+  for (const std::complex<double>& z : position) {
+    result.vertex.push_back(static_cast<int>(result.vertex.size()));
+    result.places.push_back({z.real(), z.imag()});
+    result.textures.push_back({(z.real() + 1) / 2, (z.imag() + 1) / 2});
+  }
+  result.corners = mesh.surface.triangles();
+  return result;
+}
+
+Scene slit_domain(const mesh::TriangleMesh& mesh, const Layout& layout) {
+  std::vector<Point> points = layout.rolled;
+  if (points.empty())
+    for (const Place& place : layout.places) points.push_back({place[0], place[1], 0});
+  return scene_of(mesh, layout, std::move(points), layout.name);
+}
+
+Scene textured_surface(const mesh::TriangleMesh& mesh, const Layout& layout, const Fields& fields) {
   std::vector<Point> points;
-  for (const int v : chart.vertex) points.push_back(forms.mesh().points[v]);
-  Scene scene = scene_of(forms, chart, std::move(points), "surface");
-  for (const Place& place : chart.places)
-    scene.surfaces.front().textures.push_back(texture(place, map, domain));
+  for (const int v : layout.vertex) points.push_back(mesh.points[v]);
+  Scene scene = scene_of(mesh, layout, std::move(points), "surface");
+  scene.surfaces.front().cell_fields = fields.triangles;
+  for (const Field& field : fields.vertices) {
+    Field& here = scene.surfaces.front().point_fields.emplace_back(Field{field.name, {}});
+    for (const int v : layout.vertex) here.values.push_back(field.values[v]);
+  }
   return scene;
 }
 
-std::string textured_obj(const slit::OneForms& forms, const slit::SlitMap& map, SlitDomain domain) {
-  const Chart chart = chart_of(forms, map, domain);
+std::string textured_obj(const mesh::TriangleMesh& mesh, const Layout& layout) {
   std::string out;
   const auto append_line = [&out](const char* keyword, const auto& vector) {
     out += keyword;
@@ -164,13 +217,13 @@ std::string textured_obj(const slit::OneForms& forms, const slit::SlitMap& map, 
     }
     out += '\n';
   };
-  for (const Point& point : forms.mesh().points) append_line("v", point);
-  for (const Place& place : chart.places) append_line("vt", texture(place, map, domain));
-  for (const auto& corners : chart.corners) {
+  for (const Point& point : mesh.points) append_line("v", point);
+  for (const Place& texture : layout.textures) append_line("vt", texture);
+  for (const auto& corners : layout.corners) {
     out += 'f';
     for (const int place : corners) {
       out += ' ';
-      format::append_number(out, chart.vertex[place] + 1);
+      format::append_number(out, layout.vertex[place] + 1);
       out += '/';
       format::append_number(out, place + 1);
     }
@@ -179,15 +232,13 @@ std::string textured_obj(const slit::OneForms& forms, const slit::SlitMap& map, 
   return out;
 }
 
-Drawing slit_drawing(const slit::OneForms& forms, const slit::SlitMap& map, SlitDomain domain) {
-  const Chart chart = chart_of(forms, map, domain);
-  const mesh::Surface& surface = forms.mesh().surface;
-  const bool is_ring = domain == SlitDomain::concentric;
+Drawing slit_drawing(const mesh::TriangleMesh& mesh, const Layout& layout) {
+  const mesh::Surface& surface = mesh.surface;
   Drawing drawing;
-  drawing.title = is_ring ? "concentric slit domain" : "parallel slit domain";
+  drawing.title = layout.name;
   drawing.lower = {0, 0};
   drawing.upper = {0, 0};
-  for (const Place& place : chart.places)
+  for (const Place& place : layout.places)
     for (std::size_t axis = 0; axis < 2; ++axis) {
       drawing.lower[axis] = std::min(drawing.lower[axis], place[axis]);
       drawing.upper[axis] = std::max(drawing.upper[axis], place[axis]);
@@ -199,7 +250,7 @@ Drawing slit_drawing(const slit::OneForms& forms, const slit::SlitMap& map, Slit
   }
   const auto add = [&](const std::vector<int>& path, Color color, double width) {
     Outline outline;
-    for (const int place : path) outline.points.push_back(chart.places[place]);
+    for (const int place : path) outline.points.push_back(layout.places[place]);
     outline.ink = {{}, color, width};
     drawing.outlines.push_back(std::move(outline));
   };
@@ -207,12 +258,15 @@ Drawing slit_drawing(const slit::OneForms& forms, const slit::SlitMap& map, Slit
   for (int k = 0; k < surface.side_count(); ++k) {
     const Side s(k);
     const Side m = surface.mate(s);
-    const bool drawn = m.exists() && m.value < k && chart.place_from(s) == chart.place_to(m) &&
-                       chart.place_to(s) == chart.place_from(m);
-    if (!drawn) add({chart.place_from(s), chart.place_to(s)}, {150, 150, 150}, 0.3);
+    const bool drawn = m.exists() && m.value < k && place_from(layout, s) == place_to(layout, m) &&
+                       place_to(layout, s) == place_from(layout, m);
+    if (!drawn) add({place_from(layout, s), place_to(layout, s)}, {150, 150, 150}, 0.3);
   }
-  for (int k = 0; k < forms.loop_count(); ++k)
-    for (const auto& path : paths(chart, forms.loops()[k])) add(path, qualitative(k), 3);
+  int number = 0;
+  for (const mesh::BoundaryLoop& loop : mesh::boundary_loops(mesh)) {
+    for (const auto& path : paths(layout, loop)) add(path, qualitative(number), 3);
+    ++number;
+  }
   return drawing;
 }
 

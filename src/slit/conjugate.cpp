@@ -2,6 +2,7 @@
 #include "tetrarch/slit/conjugate.hpp"
 
 #include "tetrarch/core/error.hpp"
+#include "tetrarch/mesh/laplacian.hpp"
 
 #include <Eigen/Dense>
 #include <algorithm>
@@ -34,12 +35,13 @@ std::vector<Coefficients> conjugates_by_wedges(const OneForms& forms) {
   Eigen::MatrixXd wedges = Eigen::MatrixXd::Zero(2L * n, 2L * n);
   Eigen::MatrixXd targets(2L * n, n + 1L);
   const OneForm eta0 = forms.eta(0);
+  const std::vector<double> weight = mesh::half_cotangents(forms.mesh());
   for (int row = 0; row < 2 * n; ++row) {
     for (int column = 0; column < 2 * n; ++column)
       wedges(row, column) = wedge(forms.mesh().surface, basis[column], basis[row]);
     // The integral of *a ^ b is that of -b ^ *a.
-    targets(row, 0) = -inner_product(forms.weight(), eta0, basis[row]);
-    for (int k = 1; k <= n; ++k) targets(row, k) = -inner_product(forms.weight(), basis[k - 1], basis[row]);
+    targets(row, 0) = -inner_product(weight, eta0, basis[row]);
+    for (int k = 1; k <= n; ++k) targets(row, k) = -inner_product(weight, basis[k - 1], basis[row]);
   }
   const Eigen::MatrixXd solution = wedges.partialPivLu().solve(targets);
   std::vector<Coefficients> result;
@@ -70,7 +72,7 @@ HolomorphicOneForm holomorphic_one_form(const OneForms& forms, int loop) {
 }
 
 double distance_from_holomorphic(const OneForms& forms, const HolomorphicOneForm& form) {
-  const auto& weight = forms.weight();
+  const std::vector<double> weight = mesh::half_cotangents(forms.mesh());
   // |b - *a|^2 = |a|^2 + |b|^2 - 2 * integral of a ^ b, triangle by triangle: sums over all of them would
   // cancel.
   double sum = 0;

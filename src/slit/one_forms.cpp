@@ -2,8 +2,8 @@
 #include "tetrarch/slit/one_forms.hpp"
 
 #include "tetrarch/core/error.hpp"
-#include "tetrarch/mesh/laplacian.hpp"
 
+#include <map>
 #include <string>
 #include <utility>
 
@@ -12,15 +12,54 @@ namespace {
 
 using mesh::Side;
 using mesh::Surface;
+using Columns = mesh::LaplaceSolver::Columns;
 
-void check_topology(const Surface& surface) {
-  const SurfaceType type = mesh::type_of(surface);
+/// The loops of a sphere with holes. A mesh is connected, and only what cannot be oriented has turned sides.
+std::vector<mesh::BoundaryLoop> loops_of(const mesh::TriangleMesh& mesh) {
+  const Surface& surface = mesh.surface;
+  std::vector<mesh::BoundaryLoop> loops = mesh::boundary_loops(mesh);
+  int sides = surface.side_count();
+  for (const auto& loop : loops) sides += static_cast<int>(loop.sides.size());
+  SurfaceType type;
+  type.euler = surface.vertex_count() - sides / 2 + surface.triangle_count();
+  type.boundary_curves = static_cast<int>(loops.size());
+  for (int k = 0; k < surface.side_count() && type.orientable; ++k)
+    type.orientable = !surface.is_turned(Side(k));
   // Crosscaps count as genus.
   if (type.genus() != 0)
     throw InputError("slit maps need a sphere with holes, but this surface has type " + type.str());
   if (type.boundary_curves < 2)
     throw InputError("slit maps need two boundary loops at least, and this surface has " +
                      std::to_string(type.boundary_curves));
+  return loops;
+}
+
+/// What is 1 on loop k and 0 on the others, for k > 0.
+Columns indicators(const std::vector<int>& loop_of, std::size_t loops) {
+  Columns values(loops - 1, std::vector<double>(loop_of.size(), 0.0));
+  for (std::size_t v = 0; v < loop_of.size(); ++v)
+    if (loop_of[v] > 0) values[loop_of[v] - 1][v] = 1;
+  return values;
+}
+
+/// Of each function and each loop, the flux out through the loop. One pass over the sides, whatever the
+/// number of functions.
+std::vector<std::vector<double>> fluxes_through_loops(const Surface& surface,
+                                                      const std::vector<double>& weight,
+                                                      const std::vector<int>& loop_of,
+                                                      const Columns& functions) {
+  std::vector<std::vector<double>> flux(functions.size(), std::vector<double>(functions.size(), 0.0));
+  for (int s = 0; s < surface.side_count(); ++s) {
+    const int v = surface.from(Side(s));
+    const int u = surface.to(Side(s));
+    if (loop_of[v] == loop_of[u]) continue;
+    for (std::size_t k = 0; k < functions.size(); ++k) {
+      const double flow = weight[s] * (functions[k][v] - functions[k][u]);
+      if (loop_of[v] >= 0) flux[loop_of[v]][k] += flow;
+      if (loop_of[u] >= 0) flux[loop_of[u]][k] -= flow;
+    }
+  }
+  return flux;
 }
 
 /// Calls job(side, value) for the jump of a strip: 1 on the sides by which it leaves triangles, -1 on those
@@ -35,89 +74,144 @@ void for_each_jump(const Surface& surface, Side start, const std::vector<Side>& 
   }
 }
 
-} // namespace
-
-OneForms::OneForms(mesh::TriangleMesh mesh, const Progress& progress) : mesh_(std::move(mesh)) {
-  check_topology(mesh_.surface);
-  loops_ = mesh::boundary_loops(mesh_);
-  weight_ = mesh::half_cotangents(mesh_);
-  progress.step("harmonic functions", 0);
-  solve_potentials();
-  progress.step("harmonic functions", 0.5);
-  find_strips();
-  solve_lags();
-  progress.step("harmonic functions", 1);
-}
-
-void OneForms::solve_potentials() {
-  const auto vertices = static_cast<std::size_t>(mesh_.surface.vertex_count());
-  std::vector<char> held(vertices, 0);
-  mesh::LaplaceSolver::Columns data(loops_.size() - 1, std::vector<double>(vertices, 0.0));
-  for (std::size_t k = 0; k < loops_.size(); ++k)
-    for (const mesh::SideEnd e : loops_[k].sides) {
-      held[mesh_.surface.vertex(e)] = 1;
-      if (k > 0) data[k - 1][mesh_.surface.vertex(e)] = 1;
-    }
-  potential_ = mesh::LaplaceSolver(mesh_.surface, weight_, std::move(held)).solve(data);
-  std::vector<double> rest(vertices, 1.0);
-  for (const auto& f : potential_)
-    for (std::size_t v = 0; v < vertices; ++v) rest[v] -= f[v];
-  potential_.insert(potential_.begin(), std::move(rest));
-
-  flux_.assign(loops_.size(), std::vector<double>(loops_.size(), 0.0));
-  for (std::size_t k = 0; k < loops_.size(); ++k) {
-    const std::vector<double> out = mesh::fluxes(mesh_.surface, weight_, potential_[k]);
-    for (std::size_t j = 0; j < loops_.size(); ++j)
-      for (const mesh::SideEnd e : loops_[j].sides) flux_[j][k] += out[mesh_.surface.vertex(e)];
-  }
-}
-
-/// A tree of triangles, as low as can be, from the first side of loop 0; each loop is reached by the first
-/// side that the tree comes to.
-void OneForms::find_strips() {
-  const Surface& surface = mesh_.surface;
-  std::vector<int> loop_of(static_cast<std::size_t>(surface.side_count()), -1);
-  for (int k = 0; k < loop_count(); ++k)
-    for (const mesh::SideEnd e : loops_[k].sides) loop_of[e.side.value] = k;
-  const Side start = loops_[0].sides.front().side;
+/// For each loop but 0 a strip of triangles from the first side of loop 0, `start`: along a tree of
+/// triangles, as low as can be, in which the loop is reached by the first side that the tree comes to.
+std::vector<std::vector<Side>> strips(const Surface& surface, const std::vector<int>& loop_of,
+                                      std::size_t loops, Side start) {
   std::vector<Side> entered(static_cast<std::size_t>(surface.triangle_count()));
   std::vector<int> queue{start.triangle()};
   entered[start.triangle()] = start;
-  strip_.resize(loops_.size());
-  for (std::size_t next = 0; next < queue.size(); ++next)
+  std::vector<std::vector<Side>> strip(loops);
+  std::size_t found = 1;
+  for (std::size_t next = 0; found < loops; ++next)
     for (const Side s : mesh::sides_of(queue[next])) {
       if (const Side m = surface.mate(s); m.exists()) {
         if (entered[m.triangle()].exists()) continue;
         entered[m.triangle()] = m;
         queue.push_back(m.triangle());
-      } else if (const int k = loop_of[s.value]; k > 0 && strip_[k].empty()) {
+      } else if (const int k = loop_of[surface.from(s)]; k > 0 && strip[k].empty()) {
         for (Side leave = s; leave.exists(); leave = surface.mate(entered[leave.triangle()]))
-          strip_[k].push_back(leave);
+          strip[k].push_back(leave);
+        ++found;
       }
     }
+  return strip;
 }
+
+/// The jumps of all strips as numbers of the sides.
+std::vector<std::vector<int>> jumps(const Surface& surface, Side start,
+                                    const std::vector<std::vector<Side>>& strip) {
+  std::vector<std::vector<int>> result(strip.size(), std::vector<int>(surface.side_count(), 0));
+  for (std::size_t k = 0; k < strip.size(); ++k)
+    for_each_jump(surface, start, strip[k], [&](Side s, int jump) { result[k][s.value] += jump; });
+  return result;
+}
+
+/// Where a form jumps, and by how much.
+using Jumps = std::vector<std::pair<Side, int>>;
 
 /// tau = jump + d(lag) is orthogonal to the differential of every function, so the lag is loaded with minus
 /// what the jump pairs to with the hat function of each vertex.
-void OneForms::solve_lags() {
-  const auto vertices = static_cast<std::size_t>(mesh_.surface.vertex_count());
-  mesh::LaplaceSolver::Columns loads(loops_.size() - 1, std::vector<double>(vertices, 0.0));
-  for (std::size_t k = 0; k < loads.size(); ++k)
-    for_each_jump(mesh_.surface, loops_[0].sides.front().side, strip_[k + 1], [&](Side s, int jump) {
-      loads[k][mesh_.surface.to(s)] -= weight_[s.value] * jump;
-      loads[k][mesh_.surface.from(s)] += weight_[s.value] * jump;
-    });
-  std::vector<char> held(vertices, 0);
+std::vector<double> load_of(const Surface& surface, const std::vector<double>& weight, const Jumps& jumps) {
+  std::vector<double> load(static_cast<std::size_t>(surface.vertex_count()), 0.0);
+  for (const auto& [s, jump] : jumps) {
+    load[surface.to(s)] -= weight[s.value] * jump;
+    load[surface.from(s)] += weight[s.value] * jump;
+  }
+  load[0] = 0; // held there
+  return load;
+}
+
+/// <tau, tau'> = <jump, tau'>, as d(lag) is orthogonal to tau'.
+double product(const Surface& surface, const std::vector<double>& weight, const Jumps& jumps,
+               const std::vector<double>& lag, const Jumps& other) {
+  double sum = 0;
+  for (const auto& [s, jump] : jumps)
+    sum += weight[s.value] * jump * (lag[surface.to(s)] - lag[surface.from(s)]);
+  std::map<int, int> values;
+  for (const auto& [s, jump] : other) values[s.value] += jump;
+  for (const auto& [s, jump] : jumps)
+    if (const auto found = values.find(s.value); found != values.end())
+      sum += weight[s.value] * jump * found->second;
+  return sum;
+}
+
+} // namespace
+
+OneForms::OneForms(mesh::TriangleMesh mesh, const Progress& progress, Edges edges)
+    : mesh_(std::move(mesh)), loops_(loops_of(mesh_)) {
+  const std::vector<int> loop_of = mesh::loops_of_vertices(loops_, mesh_.surface);
+  strip_ = strips(mesh_.surface, loop_of, loops_.size(), start());
+  std::vector<Jumps> jumping(loops_.size());
+  if (edges == Edges::intrinsic_delaunay) {
+    auto carried = jumps(mesh_.surface, start(), strip_);
+    intrinsic_ = mesh::intrinsic_delaunay(mesh_, &carried);
+    weight_ = mesh::half_cotangents(*intrinsic_);
+    for (std::size_t k = 0; k < carried.size(); ++k)
+      for (std::size_t s = 0; s < carried[k].size(); ++s)
+        if (carried[k][s] != 0) jumping[k].emplace_back(Side(static_cast<int>(s)), carried[k][s]);
+  } else {
+    weight_ = mesh::half_cotangents(mesh_);
+    for (std::size_t k = 0; k < strip_.size(); ++k)
+      for_each_jump(mesh_.surface, start(), strip_[k],
+                    [&](Side s, int jump) { jumping[k].emplace_back(s, jump); });
+  }
+
+  progress.step("harmonic functions", 0);
+  std::vector<char> held(loop_of.size(), 0);
   held[0] = 1;
-  for (auto& load : loads) load[0] = 0;
-  lag_ = mesh::LaplaceSolver(mesh_.surface, weight_, std::move(held)).solve(loads);
-  lag_.insert(lag_.begin(), std::vector<double>(vertices, 0.0));
+  solver_.emplace(solved_on(), weight_, held);
+  Columns loads;
+  for (std::size_t k = 1; k < jumping.size(); ++k) loads.push_back(load_of(solved_on(), weight_, jumping[k]));
+  lag_ = solver_->solve(loads);
+  lag_.insert(lag_.begin(), std::vector<double>(loop_of.size(), 0.0));
+  tau_product_.assign(loops_.size(), std::vector<double>(loops_.size(), 0.0));
+  for (std::size_t j = 1; j < loops_.size(); ++j)
+    for (std::size_t k = 1; k < loops_.size(); ++k)
+      tau_product_[j][k] = product(solved_on(), weight_, jumping[j], lag_[k], jumping[k]);
+
+  progress.step("harmonic functions", 0.5);
+  for (std::size_t v = 0; v < held.size(); ++v) held[v] = static_cast<char>(loop_of[v] >= 0);
+  solver_->hold(held);
+  potential_ = solver_->solve(indicators(loop_of, loops_.size()));
+  std::vector<double> rest(loop_of.size(), 1.0);
+  for (const auto& f : potential_)
+    for (std::size_t v = 0; v < rest.size(); ++v) rest[v] -= f[v];
+  potential_.insert(potential_.begin(), std::move(rest));
+  flux_ = fluxes_through_loops(solved_on(), weight_, loop_of, potential_);
+  progress.step("harmonic functions", 1);
+}
+
+Columns OneForms::extended(const Columns& values) const {
+  // Inside, the solver reads loads.
+  Columns data;
+  for (const auto& given : values) {
+    if (given.size() != mesh_.points.size()) throw PreconditionError("each vertex needs a value");
+    data.emplace_back(given.size(), 0.0);
+    for (const auto& loop : loops_)
+      for (const mesh::SideEnd e : loop.sides)
+        data.back()[mesh_.surface.vertex(e)] = given[mesh_.surface.vertex(e)];
+  }
+  return solver_->solve(data);
+}
+
+std::vector<double> OneForms::conjugate_along(int loop) const {
+  const auto& sides = loops_[loop].sides;
+  std::vector<double> result{0.0};
+  for (const mesh::SideEnd e : sides) {
+    double step = 0;
+    // Strips cross the boundary at their two ends only.
+    for (int i = 1; i < loop_count(); ++i)
+      step += flux(i, loop) * (lag(i)[mesh_.surface.to(e.side)] - lag(i)[mesh_.surface.from(e.side)] +
+                               (e.side == strip_[i].front() ? 1 : 0) - (e.side == start() ? 1 : 0));
+    result.push_back(result.back() + step);
+  }
+  return result;
 }
 
 OneForm OneForms::tau(int loop) const {
   OneForm form = differential(mesh_.surface, lag(loop));
-  for_each_jump(mesh_.surface, loops_[0].sides.front().side, strip_[loop],
-                [&](Side s, int jump) { form[s.value] += jump; });
+  for_each_jump(mesh_.surface, start(), strip_[loop], [&](Side s, int jump) { form[s.value] += jump; });
   return form;
 }
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "tetrarch/slit/quality.hpp"
 
+#include "full_turn.hpp"
 #include "tetrarch/mesh/laplacian.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <complex>
-#include <numbers>
 
 namespace tetrarch::slit {
 namespace {
@@ -15,14 +15,6 @@ namespace {
 using mesh::Side;
 using Complex = std::complex<double>;
 using FlatTriangle = std::array<Complex, 3>;
-
-/// The loop that each vertex is on; -1 inside.
-std::vector<int> loop_of_vertices(const OneForms& forms) {
-  std::vector<int> loop(static_cast<std::size_t>(forms.mesh().surface.vertex_count()), -1);
-  for (int k = 0; k < forms.loop_count(); ++k)
-    for (const mesh::SideEnd e : forms.loops()[k].sides) loop[forms.mesh().surface.vertex(e)] = k;
-  return loop;
-}
 
 /// A triangle of the mesh laid into the plane: corner 0 at 0, corner 1 on the positive real axis.
 FlatTriangle laid_flat(const mesh::TriangleMesh& mesh, int t) {
@@ -58,17 +50,16 @@ double ratio_of_axes(const FlatTriangle& p, const FlatTriangle& q) {
   return forward > backward ? (forward + backward) / (forward - backward) : 0.0;
 }
 
+/// Of the triangles that are not `skipped`.
 template <class Image>
-Distortion distortion(const OneForms& forms, const Image& image) {
-  const mesh::TriangleMesh& mesh = forms.mesh();
-  const std::vector<int> loop = loop_of_vertices(forms);
+Distortion distortion(const mesh::TriangleMesh& mesh, const std::vector<char>& skipped, const Image& image) {
   Distortion result;
   double area = 0;
   int corners = 0;
   for (int t = 0; t < mesh.surface.triangle_count(); ++t) {
-    const auto& v = mesh.surface.corners(t);
     result.quasi_conformal.push_back(0);
-    if (loop[v[0]] >= 0 && loop[v[0]] == loop[v[1]] && loop[v[0]] == loop[v[2]]) {
+    result.log_factor.push_back(0);
+    if (skipped[t]) {
       ++result.ears;
       continue;
     }
@@ -82,6 +73,8 @@ Distortion distortion(const OneForms& forms, const Image& image) {
     result.quasi_conformal.back() = ratio;
     result.max_quasi_conformal = std::max(result.max_quasi_conformal, ratio);
     const double twice_area = p[1].real() * p[2].imag();
+    const double twice_image = (std::conj(q[1] - q[0]) * (q[2] - q[0])).imag();
+    result.log_factor.back() = std::log(twice_image / twice_area) / 2;
     result.mean_quasi_conformal += ratio * twice_area;
     area += twice_area;
     for (int c = 0; c < 3; ++c) {
@@ -99,25 +92,41 @@ Distortion distortion(const OneForms& forms, const Image& image) {
 
 } // namespace
 
+std::vector<char> ears(const OneForms& forms) {
+  const mesh::Surface& surface = forms.mesh().surface;
+  const std::vector<int> loop = mesh::loops_of_vertices(forms.loops(), surface);
+  std::vector<char> result;
+  for (const auto& v : surface.triangles())
+    result.push_back(loop[v[0]] >= 0 && loop[v[0]] == loop[v[1]] && loop[v[0]] == loop[v[2]]);
+  return result;
+}
+
 Distortion distortion_on_cylinder(const OneForms& forms, const SlitMap& map) {
-  return distortion(forms, [&](int t) {
+  return distortion(forms.mesh(), ears(forms), [&](int t) {
     const auto value = [&](Side s) { return Complex(map.form.real[s.value], map.form.imaginary[s.value]); };
     return FlatTriangle{0.0, value(Side(t, 2)), -value(Side(t, 1))};
   });
 }
 
 Distortion distortion_on_ring(const OneForms& forms, const SlitMap& map) {
-  return distortion(forms, [&](int t) {
+  return distortion(forms.mesh(), ears(forms), [&](int t) {
     const auto& v = forms.mesh().surface.corners(t);
     return FlatTriangle{map.concentric(v[0]), map.concentric(v[1]), map.concentric(v[2])};
   });
 }
 
+Distortion distortion_in_plane(const mesh::TriangleMesh& mesh, const std::vector<Complex>& position) {
+  const std::vector<char> none(static_cast<std::size_t>(mesh.surface.triangle_count()), 0);
+  return distortion(mesh, none, [&](int t) {
+    const auto& v = mesh.surface.corners(t);
+    return FlatTriangle{position[v[0]], position[v[1]], position[v[2]]};
+  });
+}
+
 Residuals residuals(const OneForms& forms, const SlitMap& map) {
-  constexpr double full_turn = 2 * std::numbers::pi;
   const mesh::Surface& surface = forms.mesh().surface;
-  const std::vector<int> loop = loop_of_vertices(forms);
-  const std::vector<double> flux = mesh::fluxes(surface, forms.weight(), map.log_radius);
+  const std::vector<int> loop = mesh::loops_of_vertices(forms.loops(), surface);
+  const std::vector<double> flux = mesh::fluxes(forms.solved_on(), forms.weight(), map.log_radius);
   std::vector<double> through(static_cast<std::size_t>(forms.loop_count()), 0.0);
   Residuals result;
   for (int v = 0; v < surface.vertex_count(); ++v)

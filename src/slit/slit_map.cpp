@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "tetrarch/slit/slit_map.hpp"
 
+#include "full_turn.hpp"
+#include "slit_curve.hpp"
 #include "tetrarch/core/error.hpp"
 
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <string>
 
 namespace tetrarch::slit {
@@ -14,14 +15,6 @@ namespace {
 
 using mesh::Side;
 using mesh::SideEnd;
-
-constexpr double full_turn = 2 * std::numbers::pi;
-
-/// Into [0, 2 pi): rounding may bring a tiny negative angle to 2 pi itself.
-double wrapped(double angle) {
-  const double rest = angle - full_turn * std::floor(angle / full_turn);
-  return rest < full_turn ? rest : 0.0;
-}
 
 /// The values of log r on the loops for which the fluxes are 2 pi, -2 pi and 0 (equation 2.1).
 std::vector<double> heights(const OneForms& forms, int outer, int inner) {
@@ -59,13 +52,14 @@ Slit slit(const OneForms& forms, const SlitMap& map, int loop) {
   const auto& sides = forms.loops()[loop].sides;
   const std::vector<double> at = unrolled(map.form.imaginary, forms.loops()[loop]);
   const auto [low, high] = std::minmax_element(at.begin(), at.end());
+  const SlitCurve curve = slit_curve(forms, map.form.imaginary, loop);
   Slit result;
   result.loop = loop;
   result.start_vertex = forms.mesh().surface.vertex(sides[low - at.begin()]);
   result.end_vertex = forms.mesh().surface.vertex(sides[high - at.begin()]);
   result.radius = std::exp(map.log_radius[result.start_vertex]);
-  result.start = map.angle[result.start_vertex];
-  result.end = result.start + (*high - *low);
+  result.start = wrapped(map.angle[forms.mesh().surface.vertex(sides.front())] + curve.lowest);
+  result.end = result.start + (curve.highest - curve.lowest);
   result.turns = turns(at);
   return result;
 }
@@ -107,17 +101,23 @@ SlitMap slit_map(const OneForms& forms, int outer, int inner) {
   map.form.real = differential(surface, map.log_radius);
   map.form.imaginary.resize(out.size());
   for (std::size_t s = 0; s < out.size(); ++s) map.form.imaginary[s] = full_turn * (out[s] - in[s]);
-  map.modulus_bound = inner_product(forms.weight(), map.form.imaginary, map.form.imaginary) / full_turn;
+  map.modulus_bound = full_turn * (forms.tau_product(outer, outer) - 2 * forms.tau_product(outer, inner) +
+                                   forms.tau_product(inner, inner));
   // The jumps are whole turns, so the lags are the angle: nothing is integrated.
   map.angle.resize(vertices);
   for (std::size_t v = 0; v < vertices; ++v)
     map.angle[v] = full_turn * (forms.lag(outer)[v] - forms.lag(inner)[v]);
 
   rotate_to(map, map.angle[surface.vertex(forms.loops()[outer].sides.front())]);
-  for (int k = 0; k < forms.loop_count(); ++k) {
-    if (k == outer || k == inner) continue;
-    if (map.slits.empty()) rotate_to(map, slit(forms, map, k).start);
-    map.slits.push_back(slit(forms, map, k));
+  for (int k = 0; k < forms.loop_count(); ++k)
+    if (k != outer && k != inner) map.slits.push_back(slit(forms, map, k));
+  if (map.slits.empty()) return map;
+  const double origin = map.slits.front().start;
+  rotate_to(map, origin);
+  for (Slit& s : map.slits) {
+    const double length = s.end - s.start;
+    s.start = wrapped(s.start - origin);
+    s.end = s.start + length;
   }
   return map;
 }

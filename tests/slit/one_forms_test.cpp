@@ -76,6 +76,24 @@ TEST_CASE("Potentials are 1 on their loop and 0 on the others, add up to 1 and a
   }
 }
 
+TEST_CASE("Values on the loops extend to harmonic functions, with any numbers inside") {
+  const OneForms forms = bent_forms();
+  const auto& surface = forms.mesh().surface;
+  const std::vector<int> loop = mesh::loops_of_vertices(forms.loops(), surface);
+  // The mesh is flat, so coordinates are harmonic; and potentials are by definition.
+  mesh::LaplaceSolver::Columns known{{}, forms.potential(2)};
+  for (const auto& p : forms.mesh().points) known[0].push_back(2 * p[0] - 3 * p[1] + 1);
+  auto values = known;
+  for (auto& column : values)
+    for (std::size_t v = 0; v < column.size(); ++v)
+      if (loop[v] < 0) column[v] = 1e9;
+  const auto found = forms.extended(values);
+  REQUIRE(found.size() == 2);
+  for (std::size_t k = 0; k < 2; ++k)
+    for (std::size_t v = 0; v < loop.size(); ++v) CHECK(found[k][v] == Approx(known[k][v]).margin(1e-12));
+  CHECK_THROWS_AS(forms.extended({{1, 2}}), PreconditionError);
+}
+
 TEST_CASE("Fluxes are energies: symmetric, and what flows in flows out") {
   const OneForms forms = bent_forms();
   for (int j = 0; j < 4; ++j) {
@@ -169,6 +187,33 @@ TEST_CASE("A long job reports, and stops when asked to") {
   stop.request_stop();
   const auto ring = slit_ring(two_slits(), [](Complex z) { return z; }).mesh;
   CHECK_THROWS_AS(OneForms(ring, Progress({}, stop.get_token())), Stopped);
+}
+
+TEST_CASE(
+    "On the intrinsic Delaunay triangulation the bounds of the modulus are closer, and forms still closed") {
+  Random random(4);
+  const CrackedCylinder domain = slit_ring(two_slits(), [](Complex z) { return z; });
+  const TriangleList plain{domain.mesh.surface.triangles(), domain.mesh.points,
+                           domain.mesh.surface.vertex_count()};
+  for (int round = 0; round < 5; ++round) {
+    // Splits in the plane: the surface is the same, its triangles are bad.
+    const TriangleList bad = retriangulated(plain, random, 0, 100);
+    const mesh::TriangleMesh mesh{bad.points, bad.surface()};
+    const OneForms own(mesh);
+    const OneForms intrinsic(mesh, {}, Edges::intrinsic_delaunay);
+    const SlitMap a = slit_map(own, 0, 1);
+    const SlitMap b = slit_map(intrinsic, 0, 1);
+    CHECK(b.modulus > a.modulus);
+    CHECK(b.modulus < b.modulus_bound);
+    CHECK(b.modulus_bound < a.modulus_bound);
+    const Residuals r = residuals(intrinsic, b);
+    CHECK(std::max({r.period, r.flux, r.harmonic, r.radius}) < 1e-11);
+    // Closed on the mesh's own triangles.
+    for (int t = 0; t < mesh.surface.triangle_count(); ++t) {
+      const auto& form = b.form.imaginary;
+      CHECK(std::abs(form[3 * t] + form[3 * t + 1] + form[3 * t + 2]) < 1e-12);
+    }
+  }
 }
 
 } // namespace

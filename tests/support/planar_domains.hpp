@@ -132,33 +132,4 @@ inline CrackedCylinder slit_prism(const CylinderGrid& grid) {
   });
 }
 
-/// The same surface in space, each triangle split into four.
-inline mesh::TriangleMesh quartered(const mesh::TriangleMesh& coarse) {
-  format::Soup soup;
-  soup.points = coarse.points;
-  const mesh::Surface& surface = coarse.surface;
-  std::vector<int> middle(static_cast<std::size_t>(surface.side_count()), -1);
-  for (int k = 0; k < surface.side_count(); ++k) {
-    const mesh::Side s(k);
-    const mesh::Side m = surface.mate(s);
-    if (m.exists() && m.value < k) {
-      middle[k] = middle[m.value];
-      continue;
-    }
-    const auto& p = coarse.points[surface.from(s)];
-    const auto& q = coarse.points[surface.to(s)];
-    middle[k] = static_cast<int>(soup.points.size());
-    soup.points.push_back({(p[0] + q[0]) / 2, (p[1] + q[1]) / 2, (p[2] + q[2]) / 2});
-  }
-  for (int t = 0; t < surface.triangle_count(); ++t) {
-    const auto& [a, b, c] = surface.corners(t);
-    const int bc = middle[3 * t];
-    const int ca = middle[3 * t + 1];
-    const int ab = middle[3 * t + 2];
-    for (const auto& small : {std::array{a, ab, ca}, {ab, b, bc}, {ca, bc, c}, {ab, bc, ca}})
-      soup.triangles.push_back(small);
-  }
-  return mesh::build_surface(std::move(soup));
-}
-
 } // namespace tetrarch::support

@@ -840,11 +840,97 @@ class Slit(InAFolder):
         for option, value, complaint in (("--outer", "3", "no such loop"), ("--inner", "-1", "expected the number"),
                                          ("--inner", "0", "two"), ("--outer", "v100000", "no boundary loop"),
                                          ("--outer", "v", "expected the number"), ("--outer", "1x", "expected the number"),
-                                         ("--outer", "99999999999", "expected the number"), ("--domain", "circular", "not in"),
+                                         ("--outer", "99999999999", "no such loop"), ("--domain", "spherical", "not in"),
                                          ("-o", self.path("a.xyz"), "extension"), ("-o", "/nowhere/a.obj", "no such folder")):
             self.assertIn(complaint, self.refused(self.ring, option, value))
         # In this file, vertices of the boundary come first; 174 is the last of all.
         self.assertIn("no boundary loop", self.refused(self.ring, "--outer", "v174"))
+
+    def test_circular_domain(self):
+        names = [self.path("round." + e) for e in ("obj", "svg", "html")]
+        _, made = run_json("slit", self.ring, "--domain", "circular", *(a for path in names for a in ("-o", path)))
+        self.assertEqual([c["loop"] for c in made["circles"]], [0, 1, 2])
+        outer, inner, third = made["circles"]
+        self.assertEqual((outer["center"], inner["center"]), ([0, 0], [0, 0]))
+        self.assertAlmostEqual(outer["radius"], 1, delta=1e-14)
+        self.assertEqual(third["center"][1], 0)
+        self.assertGreater(third["center"][0] - third["radius"], inner["radius"])
+        self.assertLess(made["circularity"], 1e-9)
+        self.assertEqual((made["flipped"], made["converged"]), (0, True))
+        with open(names[0], encoding="utf-8") as file:
+            textures = [[float(x) for x in line.split()[1:]] for line in file if line.startswith("vt")]
+        # The loop's circle has as many vertices as the loop, at its radius.
+        on_third = [math.hypot(2 * u - 1 - third["center"][0], 2 * v - 1) for u, v in textures]
+        self.assertEqual(sum(abs(r - third["radius"]) < 1e-9 for r in on_third), made["boundaries"][2]["edges"])
+        with open(names[2], encoding="utf-8") as file:
+            self.assertIn("tetrarch texture", file.read())
+
+    def test_stages_and_basis(self):
+        _, ring = run_json("slit", self.ring)
+        files = {}
+        for name, options in (("ring", []), ("0", ["--domain", "circular", "--stage", "0"]), ("1", ["--domain", "circular", "--stage", "1"])):
+            path = self.path(name + ".obj")
+            self.assertEqual(run("slit", self.ring, *options, "-o", path).returncode, 0)
+            with open(path, encoding="utf-8") as file:
+                files[name] = [[2 * float(x) - 1 for x in line.split()[1:]] for line in file if line.startswith("vt")]
+        radius = ring["slits"][0]["radius"]
+        on_slit = [k for k, (x, y) in enumerate(files["ring"]) if abs(math.hypot(x, y) - radius) < 1e-12]
+        self.assertEqual(len(on_slit), 11)
+        # Before the first opening the slit is where it was; then its vertices are on a circle.
+        self.assertTrue(all(abs(math.hypot(*files["0"][k]) - radius) < 1e-9 for k in on_slit))
+        self.assertFalse(any(abs(math.hypot(*files["1"][k]) - radius) < 1e-9 for k in on_slit))
+        self.assertIn("the last one is 1", self.refused(self.ring, "--domain", "circular", "--stage", "2"))
+        self.assertIn("circular", self.refused(self.ring, "--stage", "0"))
+        self.assertEqual(run("slit", self.ring, "--basis", "2", "-o", self.path("basis.vtu")).returncode, 0)
+        self.assertIn("the last loop is 2", self.refused(self.ring, "--basis", "3"))
+
+    def test_fingerprints(self):
+        _, made = run_json("slit", self.ring, "--fingerprint", "--distance", self.ring)
+        found = made["fingerprint"]
+        self.assertEqual(made["distance"], 0)
+        self.assertEqual(found["triangles"], [286 * 4 ** k for k in range(6)])
+        numbers = [found["ring"]["inner_radius"], found["disk"]["inner_radius"]]
+        numbers += [found["ring"]["slits"][0][k] for k in ("radius", "start", "end")]
+        numbers += [found["disk"]["circles"][0][k] for k in ("x", "y", "radius")]
+        self.assertTrue(all(n["error"] < 5e-4 for n in numbers), numbers)
+        torus = os.path.join(SOURCE, "tests/data/mesh/double_torus.off")
+        self.assertIn("two holes", self.refused(self.ring, "--distance", torus))
+
+    def test_surfaces_are_opened_first(self):
+        torus = os.path.join(SOURCE, "tests/data/mesh/double_torus.off")
+        _, listed = run_json("slit", torus, "--open-handles", "--list-loops")
+        self.assertEqual(len(listed["boundaries"]), 4)
+        lengths = [b["length"] for b in listed["boundaries"]]
+        self.assertAlmostEqual(lengths[0], lengths[1], delta=1e-12)  # two banks of one cut
+        code, made = run_json("slit", torus, "--open-handles", "--domain", "circular", "--unflip")
+        self.assertEqual((code, made["flipped"], len(made["circles"])), (0, 0, 4))
+        self.assertIn("--open-handles", self.refused(torus))
+        # Vertex 147 lies inside the ring.
+        _, punched = run_json("slit", self.ring, "--punch", "v147:0.2", "--list-loops")
+        self.assertEqual(len(punched["boundaries"]), 4)
+        _, sliced = run_json("slit", self.ring, "--slice", "150,170", "--list-loops")
+        self.assertEqual(len(sliced["boundaries"]), 4)
+        for option, word in (("--punch", "150"), ("--punch", "v150:-1"), ("--punch", "v150:x"), ("--slice", "a,b"), ("--slice", "1,,2")):
+            self.assertIn("expected", self.refused(self.ring, option, word))
+        self.assertIn("147", self.refused(self.ring, "--punch", "v147:5"))
+
+    def test_disk(self):
+        disk = self.path("fan.off", "OFF\n5 4 0\n0 0 0\n1 0 0\n0 1 0\n-1 0 0\n0 -1 0\n3 0 1 2\n3 0 2 3\n3 0 3 4\n3 0 4 1\n")
+        _, made = run_json("slit", disk, "--domain", "circular", "-o", self.path("fan.obj"))
+        self.assertEqual((made["center"], made["flipped"]), (0, 0))
+        self.assertIn("vertex inside", self.refused(disk, "--domain", "circular", "--center", "v1"))
+
+    def test_quads(self):
+        path = self.path("quads.obj")
+        _, made = run_json("slit", self.ring, "--quads", "24", "-o", path)
+        with open(path, encoding="utf-8") as file:
+            lines = [line.split() for line in file]
+        faces = [[int(x) for x in w[1:]] for w in lines if w[0] == "f"]
+        self.assertEqual((len(faces), sum(w[0] == "v" for w in lines)), (made["quads"]["count"], made["quads"]["vertices"]))
+        edges = {frozenset(e) for f in faces for e in zip(f, f[1:] + f[:1])}
+        # Euler characteristic of a sphere with three holes.
+        self.assertEqual(made["quads"]["vertices"] - len(edges) + len(faces), -1)
+        self.assertIn("quads are written as", self.refused(self.ring, "--quads", "24", "-o", self.path("q.svg")))
 
     def test_bad_surfaces(self):
         self.assertIn("torus", self.refused(os.path.join(SOURCE, "tests/data/mesh/torus.off")))

@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "command.hpp"
 #include "output.hpp"
-#include "surface_input.hpp"
+#include "slit_openings.hpp"
+#include "slit_report.hpp"
 #include "text.hpp"
 
 #include "tetrarch/core/error.hpp"
 #include "tetrarch/format/text.hpp"
 #include "tetrarch/scene/files.hpp"
+#include "tetrarch/scene/page.hpp"
+#include "tetrarch/scene/quads.hpp"
 #include "tetrarch/scene/slit.hpp"
-#include "tetrarch/slit/quality.hpp"
 
 #include <CLI/CLI.hpp>
-#include <array>
-#include <charconv>
 #include <chrono>
-#include <cmath>
 #include <memory>
+#include <optional>
 
 namespace tetrarch::program {
 namespace {
@@ -28,8 +28,19 @@ struct Options {
   std::string domain = "concentric";
   std::string outer = "0";
   std::string inner = "1";
+  std::string center;
+  Openings openings;
   bool list_loops = false;
+  bool fingerprint = false;
+  std::string distance;
+  bool unflip = false;
+  bool intrinsic = false;
+  int stage = -1;
+  int basis = -1;
+  int quads = 0;
   bool repair = false;
+
+  bool is_circular() const { return domain == "circular"; }
 };
 
 /// Of one of the names that are allowed.
@@ -38,210 +49,248 @@ SlitDomain domain_named(const std::string& name) {
   return name == "parallel" ? SlitDomain::parallel : SlitDomain::concentric;
 }
 
-void require_outputs(const Options& options) {
+void check(const Options& options) {
   for (const std::string& path : options.outputs) {
     require_folder(path);
-    if (!format::has_extension(path, ".svg") && !scene::scene_format_for_extension(path))
+    const auto format = scene::scene_format_for_extension(path);
+    if (options.quads > 0 && (!format || format == scene::SceneFormat::vtu))
+      throw InputError({path, 0}, "quads are written as .obj, .glb or .ply");
+    if (!format && !format::has_extension(path, ".svg") && !format::has_extension(path, ".html"))
       throw InputError({path, 0}, "nothing that can be written has this extension (expected .obj, .vtu, "
-                                  ".svg, .glb or .ply)");
+                                  ".svg, .glb, .ply or .html)");
+    if (format::has_extension(path, ".html") && scene::texture_viewer_page().empty())
+      throw InputError({path, 0}, std::string(scene::viewer_missing_reason()));
   }
+  if (!options.is_circular() && options.stage >= 0) throw InputError("--stage needs --domain circular");
+  if (!options.is_circular() && !options.center.empty()) throw InputError("--center needs --domain circular");
+  if (options.is_circular() && options.quads > 0)
+    throw InputError("--quads needs a domain with slits, not --domain circular");
 }
-
-/// The number of a vertex in the file, counted from 0.
-long long number_in_file(const SurfaceInput& surface, int vertex) {
-  return format::point_number(surface.labels, vertex) - surface.labels.first_number;
-}
-
-/// The loop that "2" or "v17" means.
-int loop_named(const std::string& name, const char* option, const SurfaceInput& surface,
-               const std::vector<mesh::BoundaryLoop>& loops) {
-  const auto fail = [&](const std::string& why) -> InputError {
-    return InputError(std::string(option) + " " + in_quotes(name) + ": " + why);
-  };
-  const bool by_vertex = name.starts_with('v');
-  const char* const first = name.data() + (by_vertex ? 1 : 0);
-  const char* const last = name.data() + name.size();
-  int number = -1;
-  const auto [end, error] = std::from_chars(first, last, number);
-  if (error != std::errc() || end != last || number < 0)
-    throw fail("expected the number of a loop, or v17 for the loop through vertex 17");
-  if (by_vertex) {
-    for (std::size_t k = 0; k < loops.size(); ++k)
-      for (const mesh::SideEnd e : loops[k].sides)
-        if (number_in_file(surface, surface.mesh.surface.vertex(e)) == number) return static_cast<int>(k);
-    throw fail("no boundary loop runs through this vertex");
-  }
-  if (number >= static_cast<int>(loops.size()))
-    throw fail("there is no such loop; the surface has " +
-               counted(static_cast<long long>(loops.size()), "boundary loop") + ", counted from 0");
-  return number;
-}
-
-Json loops_json(const SurfaceInput& surface, const std::vector<mesh::BoundaryLoop>& loops) {
-  Json list = Json::array();
-  for (const mesh::BoundaryLoop& loop : loops)
-    list.push_back({{"index", list.size()},
-                    {"edges", loop.sides.size()},
-                    {"length", loop.length},
-                    {"area", loop.area},
-                    {"vertex", number_in_file(surface, surface.mesh.surface.vertex(loop.sides.front()))}});
-  return list;
-}
-
-Result listed(const SurfaceInput& surface, const std::vector<mesh::BoundaryLoop>& loops) {
-  Result result;
-  result.warnings = surface.warnings;
-  result.json["boundaries"] = loops_json(surface, loops);
-  for (const Json& loop : result.json["boundaries"])
-    result.text += "boundary loop " + loop["index"].dump() + ": " +
-                   counted(loop["edges"].get<long long>(), "edge") + ", length " +
-                   rounded(loop["length"].get<double>()) + ", area " + rounded(loop["area"].get<double>()) +
-                   ", through v" + loop["vertex"].dump() + "\n";
-  if (loops.empty()) result.text = "no boundary\n";
-  return result;
-}
-
-/// A map with everything that is told of it.
-struct Made {
-  slit::OneForms forms;
-  slit::SlitMap map;
-  slit::Distortion distortion;
-  slit::Residuals residuals;
-};
 
 /// What is wrong with a triangle is wrong in a file.
-slit::OneForms one_forms(mesh::TriangleMesh mesh, const std::string& path, const Progress& progress) {
+template <class Job>
+auto in_file(const std::string& path, const Job& job) {
   try {
-    return slit::OneForms(std::move(mesh), progress);
+    return job();
   } catch (const InputError& e) {
     throw InputError({path, 0}, e.what());
   }
 }
 
-Made make(slit::OneForms forms, int outer, int inner, SlitDomain domain) {
-  slit::SlitMap map = slit::slit_map(forms, outer, inner);
-  slit::Distortion distortion = domain == SlitDomain::concentric ? slit::distortion_on_ring(forms, map)
-                                                                 : slit::distortion_on_cylinder(forms, map);
-  const slit::Residuals residuals = slit::residuals(forms, map);
-  return {std::move(forms), std::move(map), std::move(distortion), residuals};
+/// A map with everything that is told of it.
+struct Made {
+  mesh::TriangleMesh mesh;
+  scene::Layout layout;
+  scene::Fields fields;
+  Report report;
+  std::optional<slit::QuadMesh> quads;
+  bool found = true;
+};
+
+/// Told, and kept for files.
+void add(Made& made, const slit::Distortion& distortion) {
+  made.report.add(distortion_report(distortion));
+  made.fields.triangles = {{"quasi_conformal", distortion.quasi_conformal},
+                           {"log_factor", distortion.log_factor}};
 }
 
-Json map_json(const Made& made, const std::string& domain) {
-  const slit::SlitMap& map = made.map;
-  const bool is_ring = domain == "concentric";
-  Json json{{"domain", domain},
-            {"outer", map.outer},
-            {"inner", map.inner},
-            {"modulus", map.modulus},
-            {"modulus_bounds", {map.modulus, map.modulus_bound}}};
-  if (is_ring) json["radii"] = {{"outer", 1.0}, {"inner", std::exp(-map.modulus)}};
-  Json slits = Json::array();
-  for (const slit::Slit& s : map.slits) {
-    Json one{{"loop", s.loop}};
-    if (is_ring)
-      one["radius"] = s.radius;
-    else
-      one["height"] = -map.log_radius[s.start_vertex];
-    one["start"] = s.start;
-    one["end"] = s.end;
-    slits.push_back(std::move(one));
-  }
-  json["slits"] = std::move(slits);
-  const slit::Distortion& d = made.distortion;
-  json["max_angle_error"] = d.max_angle_error;
-  json["mean_angle_error"] = d.mean_angle_error;
-  json["max_quasiconformal"] = d.max_quasi_conformal;
-  json["mean_quasiconformal"] = d.mean_quasi_conformal;
-  json["flipped"] = d.flipped.size();
-  json["ears"] = d.ears;
-  const slit::Residuals& r = made.residuals;
-  json["residuals"] = {
-      {"period", r.period}, {"flux", r.flux}, {"harmonic", r.harmonic}, {"radius", r.radius}};
-  return json;
-}
-
-std::string map_text(const Made& made, const std::string& domain, const std::string& type) {
-  const slit::SlitMap& map = made.map;
-  const slit::Distortion& d = made.distortion;
-  const slit::Residuals& r = made.residuals;
-  const bool is_ring = domain == "concentric";
-  std::vector<std::pair<std::string, std::string>> rows{
-      {"surface", type + ", " + counted(made.forms.mesh().surface.triangle_count(), "triangle")},
-      {"domain", domain + ", from loop " + std::to_string(map.outer) + " (outer) to " +
-                     std::to_string(map.inner) + " (inner)"},
-      {"modulus", fixed(map.modulus, 6) + ", at most " + fixed(map.modulus_bound, 6)}};
-  if (is_ring) rows.emplace_back("inner radius", fixed(std::exp(-map.modulus), 6));
-  for (const slit::Slit& s : map.slits)
-    rows.emplace_back(
-        "slit of loop " + std::to_string(s.loop),
-        (is_ring ? "radius " + fixed(s.radius, 6) : "height " + fixed(-map.log_radius[s.start_vertex], 6)) +
-            ", angle " + fixed(s.start, 6) + " to " + fixed(s.end, 6));
-  rows.emplace_back("angle errors", "mean " + scientific(d.mean_angle_error, 1) + ", greatest " +
-                                        scientific(d.max_angle_error, 1));
-  rows.emplace_back("quasi-conformal", "mean " + fixed(d.mean_quasi_conformal, 4) + ", greatest " +
-                                           fixed(d.max_quasi_conformal, 4));
-  rows.emplace_back(
-      "flipped", d.flipped.empty() ? "none" : counted(static_cast<long long>(d.flipped.size()), "triangle"));
-  rows.emplace_back("residuals", "periods " + scientific(r.period, 1) + ", fluxes " + scientific(r.flux, 1) +
-                                     ", harmonic " + scientific(r.harmonic, 1) + ", radii " +
-                                     scientific(r.radius, 1));
-  return block(rows);
-}
-
-void warn(Result& result, const Made& made) {
-  const std::vector<int>& flipped = made.distortion.flipped;
-  if (!flipped.empty())
-    result.warnings.push_back(counted(static_cast<long long>(flipped.size()), "triangle") +
-                              (flipped.size() == 1 ? " is" : " are") + " flipped or flat, the first is " +
-                              std::to_string(flipped.front()) + " (counted from 0)");
-  if (const int ears = made.distortion.ears; ears > 0)
-    result.warnings.push_back(counted(ears, "triangle") + (ears == 1 ? " has" : " have") +
-                              " all corners on one loop and no room on the domain");
-  for (const slit::Slit& s : made.map.slits)
-    if (s.turns != 2)
-      result.warnings.push_back("loop " + std::to_string(s.loop) + " turns back " + std::to_string(s.turns) +
-                                " times on its slit instead of twice");
-}
-
-void add_outputs(Result& result, const Made& made, const Options& options) {
+Made make_slits(const slit::OneForms& forms, slit::SlitMap map, const Options& options) {
   const SlitDomain domain = domain_named(options.domain);
-  for (const std::string& path : options.outputs) {
-    const auto content = [&] {
-      if (format::has_extension(path, ".svg"))
-        return scene::write_svg(scene::slit_drawing(made.forms, made.map, domain));
-      const scene::SceneFormat format = *scene::scene_format_for_extension(path);
-      if (format == scene::SceneFormat::obj) return scene::textured_obj(made.forms, made.map, domain);
-      if (format == scene::SceneFormat::vtu)
-        return scene::write_scene(scene::textured_surface(made.forms, made.map, domain), format);
-      return scene::write_scene(scene::slit_domain(made.forms, made.map, domain), format);
-    };
-    result.files.push_back({path, content()});
+  const bool on_ring = domain == SlitDomain::concentric;
+  Made made;
+  made.mesh = forms.mesh();
+  made.report = map_report(map, on_ring);
+  // Vertices that are moved later are no longer harmonic.
+  const slit::Residuals residuals = slit::residuals(forms, map);
+  if (options.unflip)
+    made.report.add(
+        unflipped_report(on_ring ? slit::unflip_on_ring(forms, map) : slit::unflip_on_cylinder(forms, map)));
+  add(made, on_ring ? slit::distortion_on_ring(forms, map) : slit::distortion_on_cylinder(forms, map));
+  made.report.add(residuals_report(residuals));
+  made.fields.vertices = {{"log_radius", map.log_radius}, {"angle", map.angle}};
+  for (int k = 0; k < forms.loop_count(); ++k)
+    made.fields.vertices.push_back({"potential_" + std::to_string(k), forms.potential(k)});
+  made.layout = scene::layout(forms, map, domain);
+  if (options.quads > 0) {
+    made.quads = slit::quads(forms, map, options.quads);
+    made.report.add(quads_report(*made.quads));
   }
+  return made;
+}
+
+Made make_circles(mesh::TriangleMesh mesh, slit::CircularMap map, const Options& options) {
+  Made made;
+  made.mesh = std::move(mesh);
+  made.report = circles_report(map);
+  made.found = map.domain.found;
+  if (!made.found) made.report.warnings.emplace_back("the circles are not round within the budget of rounds");
+  if (options.unflip) made.report.add(unflipped_report(slit::unflip_in_disk(made.mesh, map)));
+  add(made, slit::distortion_in_plane(made.mesh, map.position));
+  made.layout = scene::disk_layout(made.mesh, map.position);
+  return made;
+}
+
+Made make_disk(const mesh::OpenedMesh& surface, const Options& options) {
+  const int center = options.center.empty() ? slit::innermost_vertex(surface.mesh)
+                                            : vertex_named(options.center, "--center", surface);
+  if (center < 0)
+    throw InputError({options.input, 0}, "all vertices are on the boundary; the disk needs one inside");
+  slit::CircularMap map = in_file(options.input, [&] { return slit::disk_map(surface.mesh, center); });
+  Made made = make_circles(surface.mesh, std::move(map), options);
+  made.report.json["center"] = surface.number[center];
+  return made;
+}
+
+/// The picture after so many openings instead of the circular domain.
+scene::Layout stage_layout(const slit::OneForms& forms, const slit::SlitMap& map,
+                           const slit::CircularMap& circular, int stage) {
+  const auto last = static_cast<int>(circular.domain.stages.size()) - 1;
+  if (stage > last)
+    throw InputError("--stage " + std::to_string(stage) + ": the last one is " + std::to_string(last) +
+                     ", when all slits are open");
+  scene::Layout layout = scene::disk_layout(
+      forms.mesh(), slit::opening_stage(forms, map, circular, static_cast<std::size_t>(stage)));
+  layout.name = "circular domain, " + counted(stage, "slit") + " open";
+  return layout;
+}
+
+Made make(const mesh::OpenedMesh& surface, const std::vector<mesh::BoundaryLoop>& loops,
+          const Options& options, const Progress& progress) {
+  if (loops.size() == 1) return make_disk(surface, options);
+  const int outer = loop_named(options.outer, "--outer", surface, loops);
+  const int inner = loop_named(options.inner, "--inner", surface, loops);
+  const slit::OneForms forms = in_file(options.input, [&] {
+    return slit::OneForms(surface.mesh, progress,
+                          options.intrinsic ? slit::Edges::intrinsic_delaunay : slit::Edges::own);
+  });
+  slit::SlitMap map = slit::slit_map(forms, outer, inner);
+  if (options.basis >= forms.loop_count())
+    throw InputError("--basis " + std::to_string(options.basis) + ": the last loop is " +
+                     std::to_string(forms.loop_count() - 1));
+  if (options.basis >= 0) {
+    Made made = make_slits(forms, std::move(map), options);
+    made.layout = scene::basis_layout(forms, options.basis);
+    return made;
+  }
+  if (!options.is_circular()) return make_slits(forms, std::move(map), options);
+  const slit::CircularMap circular = slit::circular_map(forms, map);
+  Made made = make_circles(surface.mesh, circular, options);
+  Report slits = map_report(map, true);
+  slits.add(std::move(made.report));
+  made.report = std::move(slits);
+  if (options.stage >= 0) made.layout = stage_layout(forms, map, circular, options.stage);
+  return made;
+}
+
+/// Spheres with two holes, or one where that will do.
+void check_type(const mesh::Surface& surface, const Options& options) {
+  const SurfaceType type = mesh::type_of(surface);
+  const int least = options.is_circular() && !options.fingerprint ? 1 : 2;
+  if (type.orientable && type.euler + type.boundary_curves == 2 && type.boundary_curves >= least) return;
+  throw InputError({options.input, 0},
+                   std::string("slit maps need a sphere with ") + (least == 1 ? "a hole" : "two holes") +
+                       " at least, but this surface has type " + type.str() +
+                       (type.orientable && type.genus() > 0 ? "; --open-handles cuts it open" : ""));
+}
+
+slit::Fingerprint fingerprint(const mesh::OpenedMesh& surface, const std::vector<mesh::BoundaryLoop>& loops,
+                              const std::string& path, const Options& options, const Progress& progress) {
+  const int outer = loop_named(options.outer, "--outer", surface, loops);
+  const int inner = loop_named(options.inner, "--inner", surface, loops);
+  constexpr int most_triangles = 500'000;
+  return in_file(path,
+                 [&] { return slit::fingerprint(surface.mesh, outer, inner, most_triangles, progress); });
+}
+
+Result run_fingerprint(const mesh::OpenedMesh& surface, const std::vector<mesh::BoundaryLoop>& loops,
+                       const Options& options, Report report, const Progress& progress) {
+  const slit::Fingerprint own = fingerprint(surface, loops, options.input, options, progress);
+  std::vector<int> slits;
+  for (int k = 0; k < static_cast<int>(loops.size()); ++k)
+    if (k != loop_named(options.outer, "--outer", surface, loops) &&
+        k != loop_named(options.inner, "--inner", surface, loops))
+      slits.push_back(k);
+  report.rows.clear();
+  report.add(fingerprint_report(own, slits));
+  Result result;
+  if (!options.distance.empty()) {
+    const SurfaceInput input = read_surface(options.distance, options.repair);
+    const mesh::OpenedMesh other = opened(input, {}, progress);
+    const auto other_loops = mesh::boundary_loops(other.mesh);
+    check_type(other.mesh.surface, options);
+    const double distance =
+        slit::distance(own, fingerprint(other, other_loops, options.distance, options, progress));
+    report.json["distance"] = distance;
+    report.rows.emplace_back("distance", fixed(distance, 6));
+    report.warnings.insert(report.warnings.end(), input.warnings.begin(), input.warnings.end());
+  }
+  result.text = block(report.rows);
+  result.json = std::move(report.json);
+  result.warnings = std::move(report.warnings);
+  if (!own.found) result.status = Status::undecided;
+  return result;
+}
+
+std::string quads_file(const slit::QuadMesh& quads, scene::SceneFormat format) {
+  return format == scene::SceneFormat::obj ? scene::quads_obj(quads)
+                                           : scene::write_scene(scene::quad_scene(quads), format);
+}
+
+std::string page(const Made& made, const Options& options) {
+  scene::InfoTable table{"Map", {}, {}};
+  for (const auto& [name, value] : made.report.rows) table.rows.push_back({name, value});
+  return scene::write_page(scene::TexturePage{options.input + ": " + made.layout.name,
+                                              {std::move(table)},
+                                              scene::textured_surface(made.mesh, made.layout),
+                                              scene::slit_domain(made.mesh, made.layout)});
+}
+
+std::string file(const std::string& path, const Made& made, const Options& options) {
+  if (format::has_extension(path, ".svg"))
+    return scene::write_svg(scene::slit_drawing(made.mesh, made.layout));
+  if (format::has_extension(path, ".html")) return page(made, options);
+  const scene::SceneFormat format = *scene::scene_format_for_extension(path);
+  if (made.quads) return quads_file(*made.quads, format);
+  if (format == scene::SceneFormat::obj) return scene::textured_obj(made.mesh, made.layout);
+  return scene::write_scene(format == scene::SceneFormat::vtu
+                                ? scene::textured_surface(made.mesh, made.layout, made.fields)
+                                : scene::slit_domain(made.mesh, made.layout),
+                            format);
 }
 
 Result run_slit(const Options& options, const Context& context) {
-  require_outputs(options);
-  SurfaceInput surface = read_surface(options.input, options.repair);
+  check(options);
+  const SurfaceInput input = read_surface(options.input, options.repair);
+  const mesh::OpenedMesh surface =
+      in_file(options.input, [&] { return opened(input, options.openings, context.progress); });
   const std::vector<mesh::BoundaryLoop> loops = mesh::boundary_loops(surface.mesh);
-  Result result = listed(surface, loops);
-  if (options.list_loops) return result;
-  const SurfaceType type = mesh::type_of(surface.mesh.surface);
+  Report report = loops_report(surface, loops);
+  report.warnings = input.warnings;
+  Result result;
+  if (options.list_loops) {
+    result.text = loops.empty() ? "no boundary\n" : block(report.rows);
+    result.json = std::move(report.json);
+    result.warnings = std::move(report.warnings);
+    return result;
+  }
   // What the map would refuse, said before a loop is missed.
-  if (!type.orientable || type.euler + type.boundary_curves != 2 || loops.size() < 2)
-    throw InputError({options.input, 0},
-                     "slit maps need a sphere with two holes at least, but this surface has type " +
-                         type.str());
-  const int outer = loop_named(options.outer, "--outer", surface, loops);
-  const int inner = loop_named(options.inner, "--inner", surface, loops);
+  check_type(surface.mesh.surface, options);
+  if (options.fingerprint || !options.distance.empty())
+    return run_fingerprint(surface, loops, options, std::move(report), context.progress);
   const auto start = std::chrono::steady_clock::now();
-  const Made made = make(one_forms(std::move(surface.mesh), options.input, context.progress), outer, inner,
-                         domain_named(options.domain));
+  const Made made = make(surface, loops, options, context.progress);
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  result.text = map_text(made, options.domain, type.str());
-  result.json.update(map_json(made, options.domain));
-  result.json["seconds"] = seconds; // from the mesh to the map, files apart
-  warn(result, made);
-  add_outputs(result, made, options);
+  report.json["domain"] = options.domain;
+  report.rows = {{"surface", mesh::type_of(surface.mesh.surface).str() + ", " +
+                                 counted(surface.mesh.surface.triangle_count(), "triangle")},
+                 {"domain", options.domain}};
+  report.add(made.report);
+  report.json["seconds"] = seconds; // from the mesh to the map, files apart
+  result.text = block(report.rows);
+  result.json = std::move(report.json);
+  result.warnings = std::move(report.warnings);
+  if (!made.found) result.status = Status::undecided;
+  for (const std::string& path : options.outputs) result.files.push_back({path, file(path, made, options)});
   return result;
 }
 
@@ -249,9 +298,10 @@ Result run_slit(const Options& options, const Context& context) {
 
 Run declare_slit(CLI::App& app) {
   const auto o = std::make_shared<Options>();
-  app.add_option("SURFACE", o->input, "a sphere with two holes or more: OBJ, OFF, PLY or STL")->required();
-  app.add_option("--domain", o->domain, "a cylinder with slits, the same unrolled, or a ring with slits")
-      ->check(CLI::IsMember({"cylindric", "parallel", "concentric"}))
+  app.add_option("SURFACE", o->input, "a sphere with holes: OBJ, OFF, PLY or STL")->required();
+  app.add_option("--domain", o->domain,
+                 "a cylinder with slits, the same unrolled, a ring with slits, or a disk with round holes")
+      ->check(CLI::IsMember({"cylindric", "parallel", "concentric", "circular"}))
       ->capture_default_str();
   app.add_option("--outer", o->outer,
                  "the loop that becomes the outer circle: its number, from 0 by decreasing length, or v17: "
@@ -259,10 +309,35 @@ Run declare_slit(CLI::App& app) {
       ->capture_default_str();
   app.add_option("--inner", o->inner, "the loop that becomes the inner circle, likewise")
       ->capture_default_str();
+  app.add_option("--center", o->center,
+                 "of a surface with one loop, the vertex that goes to 0 (default: innermost)");
+  app.add_option("--punch", o->openings.punch,
+                 "first punch a hole, v17:0.5 around vertex 17 with radius 0.5; may be repeated")
+      ->allow_extra_args(false);
+  app.add_option("--slice", o->openings.slice,
+                 "first slice along shortest paths through vertices, such as 3,17,20; may be repeated")
+      ->allow_extra_args(false);
+  app.add_flag("--open-handles", o->openings.open_handles,
+               "first cut a surface of genus g along g short loops");
   app.add_flag("--list-loops", o->list_loops, "list the boundary loops, and no more");
+  app.add_flag(
+      "--fingerprint", o->fingerprint,
+      "numbers that conformal maps leave alone, extrapolated from finer triangulations, with their errors");
+  app.add_option("--distance", o->distance, "and how far another surface is from this one by them");
+  app.add_flag("--unflip", o->unflip, "move vertices near flipped triangles until none is flipped");
+  app.add_flag("--intrinsic", o->intrinsic,
+               "solve on the intrinsic Delaunay triangulation: better where triangles are obtuse");
+  app.add_option("--stage", o->stage,
+                 "write the circular domain before circles are made round, so many slits open")
+      ->check(CLI::NonNegativeNumber);
+  app.add_option("--basis", o->basis,
+                 "write one form of the basis, that of this loop, in place of the domain")
+      ->check(CLI::NonNegativeNumber);
+  app.add_option("--quads", o->quads, "make quads, so many on the way round; written as .obj, .glb or .ply")
+      ->check(CLI::Range(3, 1'000'000));
   app.add_option("-o,--output", o->outputs,
-                 "the surface with the domain as texture coordinates (.obj, .vtu), or the domain: .svg, or "
-                 ".glb or .ply as a surface; may be repeated")
+                 "the surface with the domain as texture coordinates (.obj, .vtu), the domain (.svg, or .glb "
+                 "or .ply as a surface), or a page with both side by side (.html); may be repeated")
       ->allow_extra_args(false);
   app.add_flag("--repair", o->repair,
                "mend orientation, unused vertices, duplicates, degenerate triangles first");

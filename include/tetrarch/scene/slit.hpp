@@ -5,7 +5,7 @@
 /// as its texture.
 ///
 ///       surface in space               domain in the unit square
-///      .-----------------.      vt      .-------.       concentric: ((x + 1) / 2, (y + 1) / 2)
+///      .-----------------.      vt      .-------.       concentric and circular: ((x + 1) / 2, (y + 1) / 2)
 ///      |   .-.     .-.   |     ---->    | .--.  |       cylindric and parallel: (angle / 2 pi,
 ///      |   '-'     '-'   |              | '--'  |                                height / modulus)
 ///      '-----------------'              '-------'
@@ -16,29 +16,52 @@
 
 #include "tetrarch/scene/drawing.hpp"
 #include "tetrarch/scene/scene.hpp"
-#include "tetrarch/slit/slit_map.hpp"
+#include "tetrarch/slit/circular_map.hpp"
 
+#include <array>
+#include <complex>
 #include <cstdint>
 #include <string>
+#include <vector>
 
 namespace tetrarch::scene {
 
+/// A mesh with its boundary loops, laid into the plane. The first places are those of the vertices, by their
+/// numbers; then come the second places of those on a seam.
+struct Layout {
+  std::string name; ///< of the domain
+  std::vector<std::array<double, 2>> places;
+  std::vector<std::array<double, 2>> textures; ///< of each place: in the unit square, but at seams
+  std::vector<int> vertex;                     ///< of each place
+  std::vector<std::array<int, 3>> corners;     ///< of each triangle: places
+  /// Of each place where it goes in space, if the plane is to be rolled up; else empty.
+  std::vector<Point> rolled;
+};
+
 enum class SlitDomain : std::uint8_t { cylindric, parallel, concentric };
 
-/// The domain as a surface in space, its loops as tubes: the ring in the plane z = 0, the cylinder about the
-/// z axis, the rectangle in the plane z = 0. Vertices keep their numbers; on the rectangle the second places
-/// of those on the seam follow.
-Scene slit_domain(const slit::OneForms& forms, const slit::SlitMap& map, SlitDomain domain);
+Layout layout(const slit::OneForms& forms, const slit::SlitMap& map, SlitDomain domain);
+/// One form of the basis: (potential, conjugate), torn along the strips across which the conjugate jumps.
+Layout basis_layout(const slit::OneForms& forms, int loop);
+/// Vertices in the unit disk.
+Layout disk_layout(const mesh::TriangleMesh& mesh, const std::vector<std::complex<double>>& position);
+
+/// The domain as a surface in space, its loops as tubes: in the plane z = 0, or about the z axis.
+Scene slit_domain(const mesh::TriangleMesh& mesh, const Layout& layout);
 
 /// The surface itself with its texture coordinates, its loops as tubes. Vertices keep their numbers; doubles
 /// of those on the seam follow.
-Scene textured_surface(const slit::OneForms& forms, const slit::SlitMap& map, SlitDomain domain);
+struct Fields {
+  std::vector<Field> triangles;
+  std::vector<Field> vertices;
+};
+Scene textured_surface(const mesh::TriangleMesh& mesh, const Layout& layout, const Fields& fields = {});
 
 /// The surface as OBJ with texture coordinates for each corner: its vertices and triangles are all there in
 /// their order and no others, so that texture coordinates alone are doubled on the seam.
-std::string textured_obj(const slit::OneForms& forms, const slit::SlitMap& map, SlitDomain domain);
+std::string textured_obj(const mesh::TriangleMesh& mesh, const Layout& layout);
 
-/// The triangulation thin, loops thick and coloured. The cylinder is shown unrolled.
-Drawing slit_drawing(const slit::OneForms& forms, const slit::SlitMap& map, SlitDomain domain);
+/// The triangulation thin, loops thick and coloured.
+Drawing slit_drawing(const mesh::TriangleMesh& mesh, const Layout& layout);
 
 } // namespace tetrarch::scene

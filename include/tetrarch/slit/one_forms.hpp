@@ -17,23 +17,35 @@
 
 #include "tetrarch/core/progress.hpp"
 #include "tetrarch/mesh/boundary_loops.hpp"
+#include "tetrarch/mesh/intrinsic_delaunay.hpp"
+#include "tetrarch/mesh/laplacian.hpp"
 #include "tetrarch/slit/one_form.hpp"
 
+#include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace tetrarch::slit {
 
+/// On which triangles functions are linear: those of the mesh, or those of its intrinsic Delaunay
+/// triangulation, on which no angles are too obtuse. Both have the same vertices and the same surface.
+enum class Edges : std::uint8_t { own, intrinsic_delaunay };
+
 class OneForms {
 public:
   /// Throws InputError unless the mesh is an oriented sphere with at least two holes, or where triangles are
-  /// too thin (`mesh::half_cotangents`). For n + 1 loops: two sparse factorisations (the potentials are held
-  /// on all loops, the lags at one vertex) and n right-hand sides for either.
-  explicit OneForms(mesh::TriangleMesh mesh, const Progress& progress = {});
+  /// too thin (`mesh::half_cotangents`). For n + 1 loops: two sparse factorisations with one analysis (the
+  /// lags are held at one vertex, the potentials on all loops) and n right-hand sides for either. One
+  /// factorisation with the loops eliminated last would serve both, but counting operations it is dearer.
+  explicit OneForms(mesh::TriangleMesh mesh, const Progress& progress = {}, Edges edges = Edges::own);
 
   const mesh::TriangleMesh& mesh() const { return mesh_; }
   const std::vector<mesh::BoundaryLoop>& loops() const { return loops_; }
   int loop_count() const { return static_cast<int>(loops_.size()); }
-  /// Of each side, half the cotangent of the angle opposite.
+  /// The triangles on which the functions are linear, and of each of its sides half the cotangent of the
+  /// angle opposite. Everything that has a value for each side of the mesh, as one-forms, is of the mesh's
+  /// own.
+  const mesh::Surface& solved_on() const { return intrinsic_ ? intrinsic_->surface : mesh_.surface; }
   const std::vector<double>& weight() const { return weight_; }
 
   /// Of each vertex. All together add up to 1.
@@ -45,20 +57,34 @@ public:
   /// The flux of potential k out of the surface through loop j: the period of *eta(k) around it. Symmetric,
   /// rows add up to 0. It is an energy too, <eta(j), eta(k)>, so it converges at order h^2.
   double flux(int j, int k) const { return flux_[static_cast<std::size_t>(j)][static_cast<std::size_t>(k)]; }
+  /// <tau(j), tau(k)>.
+  double tau_product(int j, int k) const {
+    return tau_product_[static_cast<std::size_t>(j)][static_cast<std::size_t>(k)];
+  }
+
+  /// The integral of *eta(loop) along its own loop, at the starts of its sides and once round: how much of
+  /// potential(loop) flows out up to there. O(length of the loop * loops).
+  std::vector<double> conjugate_along(int loop) const;
+
+  /// The harmonic functions with given values at the vertices of the loops; `values[k][v]` is not read where
+  /// v is on no loop. The factor for that is kept, so it costs what solving costs, about O(n log n) each.
+  mesh::LaplaceSolver::Columns extended(const mesh::LaplaceSolver::Columns& values) const;
 
 private:
-  void find_strips();
-  void solve_potentials();
-  void solve_lags();
+  /// Where the strips start.
+  mesh::Side start() const { return loops_[0].sides.front().side; }
 
   mesh::TriangleMesh mesh_;
   std::vector<mesh::BoundaryLoop> loops_;
   std::vector<double> weight_;
+  std::optional<mesh::IntrinsicTriangulation> intrinsic_;
+  std::optional<mesh::LaplaceSolver> solver_; ///< the loops are held
   /// Of each loop but 0, the sides by which the strip from loop 0 leaves its triangles, the last one first.
   std::vector<std::vector<mesh::Side>> strip_;
   std::vector<std::vector<double>> potential_;
   std::vector<std::vector<double>> lag_;
   std::vector<std::vector<double>> flux_;
+  std::vector<std::vector<double>> tau_product_;
 };
 
 } // namespace tetrarch::slit

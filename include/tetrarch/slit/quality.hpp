@@ -19,6 +19,8 @@ namespace tetrarch::slit {
 struct Distortion {
   /// Of each triangle: the ratio of the axes, at least 1; 0 for flipped triangles and ears.
   std::vector<double> quasi_conformal;
+  /// Of each triangle: half the log of how much its area grows; 0 where quasi_conformal is.
+  std::vector<double> log_factor;
   double mean_quasi_conformal = 0; ///< weighted by the area of the triangles
   double max_quasi_conformal = 0;
   double mean_angle_error = 0; ///< over all corners, in radians
@@ -27,11 +29,17 @@ struct Distortion {
   int ears = 0;
 };
 
+/// Of each triangle whether it is an ear. O(n).
+std::vector<char> ears(const OneForms& forms);
+
 /// On the cylinder, and so on the rectangle.
 Distortion distortion_on_cylinder(const OneForms& forms, const SlitMap& map);
 /// On the ring, where edges are drawn straight. Where heights change much within a triangle it is flipped
-/// though it was not on the cylinder. O(n) both.
+/// though it was not on the cylinder. O(n), as all of these.
 Distortion distortion_on_ring(const OneForms& forms, const SlitMap& map);
+/// Of a mesh whose vertices are laid into the plane. There are no ears.
+Distortion distortion_in_plane(const mesh::TriangleMesh& mesh,
+                               const std::vector<std::complex<double>>& position);
 
 /// What should be 0.
 struct Residuals {

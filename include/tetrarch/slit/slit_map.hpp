@@ -32,9 +32,11 @@ namespace tetrarch::slit {
 struct Slit {
   int loop = 0;
   double radius = 0; ///< height = -log(radius)
-  double start = 0;  ///< angle at which the arc begins, counterclockwise; in [0, 2 pi)
-  double end = 0;    ///< and ends; above start
-  int start_vertex = 0;
+  /// Angle at which the arc begins, counterclockwise; in [0, 2 pi). Ends lie between vertices: they are found
+  /// from the three next to them, and change by a little of an edge if these do.
+  double start = 0;
+  double end = 0;       ///< above start
+  int start_vertex = 0; ///< the vertex of least angle, near the start
   int end_vertex = 0;
   /// How often the angle turns back along the loop: 2 for what is a slit.
   int turns = 0;

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+/// The circular domain: a ring with concentric slits, mapped conformally so that every slit becomes a circle.
+///
+///      .-----------.           .-----------.      1. Each slit is opened by the square root that its ends
+///     /    .--      \         /    _        \        call for, cut along the slit and not along a straight
+///    |    | (O)      |  -->  |    (_)(O)     |       line; later slits are arcs no longer by then.
+///     \         --' /         \         o   /     2. What is a circle after its own opening is bent by the
+///      '-----------'           '-----------'         others. So curve by curve, the outer one too, the
+///      outside of each (the inside of the outer one) is mapped to that of a circle, all else carried along,
+///      round after round. Each takes the errors down by a factor.
+///
+/// Only curves are mapped: each by N samples at equal steps of a parameter t in which it is smooth. On
+/// circles t is the angle; on a slit the angle is middle + half cos t, with t from 0 to pi on the bank
+/// towards the origin, so that the opened slit is run through counterclockwise.
+///
+/// Circular domains are unique up to Moebius maps. Here the outer circle is the unit circle, the inner one
+/// has its centre at 0, and the circle of the first slit its centre on the positive real axis. Source: Yin,
+/// section 2.3.3, for the openings; Koebe's iteration for the rest.
+
+#include <complex>
+#include <vector>
+
+namespace tetrarch::slit {
+
+/// On the circle about 0 of this radius, from angle `start` counterclockwise to `end`, less than a full turn.
+struct Arc {
+  double radius = 0;
+  double start = 0;
+  double end = 0;
+};
+
+/// The ring between the circle of radius `inner` and the unit circle.
+struct SlitRing {
+  double inner = 0;
+  std::vector<Arc> slits;
+};
+
+struct Circle {
+  std::complex<double> center;
+  double radius = 0;
+  /// Greatest deviation of a sample of the curve from the circle, in radii.
+  double circularity = 0;
+};
+
+/// By curve: the outer circle, the inner one, then the slits in their order.
+using Curves = std::vector<std::vector<std::complex<double>>>;
+
+struct CircularDomain {
+  std::vector<Circle> circles;
+  Curves curves; ///< where the samples come to lie
+  /// Before the first opening, and after each of them.
+  std::vector<Curves> stages;
+  int rounds = 0;
+  double circularity = 0; ///< the greatest
+  /// What the samples leave unresolved of the curves, relative: see `Periodic`.
+  double unresolved = 0;
+  bool found = false; ///< whether circularity and unresolved are below `tolerance`
+};
+
+struct CircularOptions {
+  double tolerance = 1e-9;
+  int most_rounds = 60;
+  int samples = 128;       ///< of each curve at first, a power of 2
+  int most_samples = 2048; ///< doubled up to here while curves are not resolved
+};
+
+/// Throws PreconditionError unless 0 < inner < radius < 1 for all slits, of positive length; whether slits
+/// touch is not looked at. Where the iteration does not converge, `found` is false and the curves are what
+/// was reached. For n curves of N samples: O(n^2 N^2) a round, about 5 to 10 rounds.
+CircularDomain circular_domain(const SlitRing& ring, const CircularOptions& options = {});
+
+/// Curve k at any parameter. O(N log N) once, then O(1) each.
+std::vector<std::complex<double>> curve_at(const CircularDomain& domain, int curve,
+                                           const std::vector<double>& t);
+
+} // namespace tetrarch::slit

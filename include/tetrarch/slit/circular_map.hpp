@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+/// The circular slit map: a sphere with holes, laid into the unit disk so that every loop is a circle.
+///
+/// The slit map's ring goes to its circular domain, loops only; where each vertex of a loop lies on its
+/// circle is known from there. Everything inside is the harmonic extension, so nothing that is wrong near the
+/// end of a slit, where square roots enlarge it, spreads. Source: Yin, section 2.3.3.
+
+#include "tetrarch/slit/circular_domain.hpp"
+#include "tetrarch/slit/slit_map.hpp"
+
+namespace tetrarch::slit {
+
+struct CircularMap {
+  /// Loops by curve of the domain: the outer one, the inner one, then the slits'.
+  std::vector<int> loop;
+  CircularDomain domain;
+  std::vector<std::complex<double>> position; ///< of each vertex
+};
+
+/// The ring with slits that a slit map leads to.
+SlitRing slit_ring(const SlitMap& map);
+
+/// Two right-hand sides more for the factored Laplacian, and `circular_domain`. Check `domain.found`.
+CircularMap circular_map(const OneForms& forms, const SlitMap& map, const CircularOptions& options = {});
+
+/// The case of one loop: Riemann's map of a disk, in which vertex `center` goes to 0 and the first vertex of
+/// the loop to 1. Green's function with its pole at `center` tells how the boundary goes round; near the pole
+/// itself, where it is rough, it is not used. Throws InputError unless the mesh is an oriented disk with
+/// vertex `center` inside. One sparse factorisation, three right-hand sides.
+CircularMap disk_map(const mesh::TriangleMesh& mesh, int center);
+
+/// A vertex with as many edges between it and the boundary as any; -1 if all vertices are on the boundary.
+/// O(n).
+[[nodiscard]] int innermost_vertex(const mesh::TriangleMesh& mesh);
+
+/// Where the vertices lie after so many slits were opened: stage 0 is the ring, the last one the domain of
+/// `circular_map` before its circles are made round.
+std::vector<std::complex<double>> opening_stage(const OneForms& forms, const SlitMap& map,
+                                                const CircularMap& circular, std::size_t stage);
+
+} // namespace tetrarch::slit

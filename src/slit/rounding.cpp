@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "rounding.hpp"
+
+#include "full_turn.hpp"
+#include <Eigen/Dense>
+#include <Eigen/IterativeLinearSolvers>
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <utility>
+
+namespace tetrarch::slit {
+namespace {
+
+using Matrix = Eigen::MatrixXd;
+using Vector = Eigen::VectorXd;
+
+/// Cauchy's integral over the curve by the trapezoidal rule: C(i, j) = z'(j) / (i N (z(j) - z(i))).
+Eigen::MatrixXcd cauchy(const std::vector<Complex>& curve, const std::vector<Complex>& tangent) {
+  const auto n = static_cast<Eigen::Index>(curve.size());
+  Eigen::MatrixXcd matrix(n, n);
+  for (Eigen::Index j = 0; j < n; ++j) {
+    const Complex factor = tangent[static_cast<std::size_t>(j)] / Complex(0, static_cast<double>(n));
+    for (Eigen::Index i = 0; i < n; ++i)
+      matrix(i, j) =
+          i == j ? 0.0 : factor / (curve[static_cast<std::size_t>(j)] - curve[static_cast<std::size_t>(i)]);
+  }
+  return matrix;
+}
+
+/// Equations of the second kind, whose eigenvalues gather at one point: a few steps do.
+Vector solved(const Matrix& matrix, const Vector& right) {
+  Eigen::BiCGSTAB<Matrix, Eigen::IdentityPreconditioner> solver(matrix);
+  solver.setTolerance(1e-15);
+  solver.setMaxIterations(100);
+  const Vector x = solver.solve(right);
+  constexpr double good = 1e-12;
+  return solver.error() < good ? x : matrix.partialPivLu().solve(right);
+}
+
+} // namespace
+
+Rounding::Rounding(std::vector<Complex> curve, Of of) : of_(of), curve_(std::move(curve)) {
+  const std::size_t n = curve_.size();
+  const auto size = static_cast<Eigen::Index>(n);
+  const double count = static_cast<double>(n);
+  const Complex c = std::accumulate(curve_.begin(), curve_.end(), Complex(0)) / count;
+  const std::vector<Complex> tangent = derivative(curve_);
+  const Eigen::MatrixXcd kernel = cauchy(curve_, tangent);
+  Vector right(size);
+  for (Eigen::Index i = 0; i < size; ++i)
+    right[i] = -std::log(std::abs(curve_[static_cast<std::size_t>(i)] - c));
+
+  // On the curve F(z) = sum C(z, s) (m(s) - m(z)) + [inside] m(z), with the derivative of m for s = z, which
+  // is imaginary. The real part is known but for the constant outside, where m = 1 is lost: its mean takes
+  // that place.
+  const bool is_inside = of == Of::inside;
+  Matrix matrix = kernel.real();
+  for (Eigen::Index i = 0; i < size; ++i) matrix(i, i) = (is_inside ? 1.0 : 0.0) - matrix.row(i).sum();
+  if (!is_inside) matrix.array() += 1.0 / count;
+  const Vector density = solved(matrix, right);
+
+  const std::vector<Complex> slope =
+      derivative(std::vector<Complex>(density.data(), density.data() + density.size()));
+  const Eigen::VectorXcd integral = kernel * density - kernel.rowwise().sum().cwiseProduct(density);
+  Complex residue = 0;
+  for (std::size_t j = 0; j < n; ++j)
+    residue -= density[static_cast<Eigen::Index>(j)] * tangent[j] / Complex(0, count);
+  weight_ = tangent;
+  for (std::size_t j = 0; j < n; ++j) {
+    const auto i = static_cast<Eigen::Index>(j);
+    const Complex f = integral[i] + slope[j].real() / Complex(0, count) + (is_inside ? density[i] : 0.0);
+    image_.push_back((curve_[j] - c) * std::exp(f));
+    if (is_inside) continue;
+    // g = z - c + residue + O(1/z).
+    image_.back() += c - residue;
+    weight_[j] /= curve_[j] - c;
+  }
+}
+
+/// Barycentric: the same formula for 1 below, so that points near the curve lose nothing. What is analytic
+/// outside is taken relative to 1 / (z - c), which vanishes at infinity as Cauchy's formula asks there.
+Complex Rounding::operator()(Complex z) const {
+  const bool is_inside = of_ == Of::inside;
+  Complex numerator = 0;
+  Complex denominator = 0;
+  for (std::size_t j = 0; j < curve_.size(); ++j) {
+    const Complex share = weight_[j] / (curve_[j] - z);
+    numerator += share * (is_inside ? image_[j] : image_[j] - curve_[j]);
+    denominator += share;
+  }
+  return numerator / denominator + (is_inside ? 0.0 : z);
+}
+
+} // namespace tetrarch::slit

@@ -1,0 +1,290 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+/// Circular domains of meshes, disks, flipped triangles and fingerprints.
+#include "tetrarch/slit/circular_map.hpp"
+
+#include "slit/domains.hpp"
+#include "support/random.hpp"
+#include "support/surfaces.hpp"
+#include "tetrarch/core/error.hpp"
+#include "tetrarch/mesh/refine.hpp"
+#include "tetrarch/slit/fingerprint.hpp"
+#include "tetrarch/slit/unflip.hpp"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+
+namespace {
+
+using namespace tetrarch;
+using namespace tetrarch::slit;
+using namespace tetrarch::support;
+
+Complex moebius(Complex z) {
+  return (z + 0.4) / (1.0 + 0.4 * z);
+}
+
+/// The slits that `slit_ring(two_slits(), ...)` has.
+SlitRing exact_ring() {
+  return {std::exp(-1.0),
+          {{std::exp(-0.25), 0, full_turn / 4}, {std::exp(-0.5), full_turn * 7 / 16, full_turn * 11 / 16}}};
+}
+
+struct CircleErrors {
+  double circles = 0;  ///< of centres and radii
+  double boundary = 0; ///< of the vertices on the slits' circles
+  double angles = 0;   ///< the mean angle error
+  std::size_t flipped = 0;
+};
+
+/// Against the exact ring's circles; the slit at height 1/4 is the one of `tips[0]`.
+CircleErrors circle_errors(int times) {
+  const CrackedCylinder domain = slit_ring(refined(two_slits(), times), moebius);
+  const OneForms forms(domain.mesh);
+  const SlitMap map = slit_map(forms, outer_loop(forms, domain), inner_loop(forms, domain));
+  const CircularMap found = circular_map(forms, map);
+  REQUIRE(found.domain.found);
+  const CircularDomain exact = circular_domain(exact_ring());
+  CircleErrors e;
+  const int first = mesh::loop_through(forms.loops(), domain.mesh.surface, domain.tips[0][0]);
+  // The mesh may number the second slit first; then that one's circle is on the positive axis.
+  const bool exchanged = found.loop[2] != first;
+  const Complex turn =
+      exchanged ? std::conj(exact.circles[3].center) / std::abs(exact.circles[3].center) : 1.0;
+  for (std::size_t k = 0; k < 4; ++k) {
+    const Circle& known = exact.circles[k < 2 || !exchanged ? k : 5 - k];
+    e.circles = std::max({e.circles, std::abs(found.domain.circles[k].center - turn * known.center),
+                          std::abs(found.domain.circles[k].radius - known.radius)});
+  }
+  for (std::size_t slit = 0; slit < 2; ++slit) {
+    const Arc arc = exact_ring().slits[slit];
+    for (std::size_t v = 0; v < domain.at.size(); ++v) {
+      const OnCylinder& at = domain.at[v];
+      const double height = -std::log(arc.radius);
+      const double from_start = std::remainder(at.angle - full_turn * 2 / 16 - arc.start, full_turn);
+      const double length = arc.end - arc.start;
+      if (std::abs(at.height - height) > 1e-12 || from_start < -1e-9 || from_start > length + 1e-9) continue;
+      const double t = std::acos(std::clamp(2 * from_start / length - 1, -1.0, 1.0));
+      // Bank 1 is above, at greater height, nearer the origin.
+      const Complex place =
+          curve_at(exact, static_cast<int>(slit) + 2, {at.bank >= 0 ? t : full_turn - t})[0];
+      e.boundary = std::max(e.boundary, std::abs(found.position[v] - turn * place));
+    }
+  }
+  const Distortion distortion = distortion_in_plane(domain.mesh, found.position);
+  e.angles = distortion.mean_angle_error;
+  e.flipped = distortion.flipped.size();
+  return e;
+}
+
+TEST_CASE("Circles of a bent ring with slits converge to those of the ring, and so do the places on them") {
+  const CircleErrors coarse = circle_errors(2);
+  const CircleErrors fine = circle_errors(8);
+  CHECK(coarse.flipped + fine.flipped == 0);
+  CHECK(coarse.circles > 11 * fine.circles);
+  // Harmonic measure, by which the ends of slits are found, goes as a square root at the tips of these
+  // cracks.
+  CHECK(coarse.boundary > 4 * fine.boundary);
+  CHECK(coarse.angles > 3.6 * fine.angles);
+}
+
+/// The greatest relative difference between inversive distances of circles, for other loops as outer and
+/// inner circle of the ring on the way.
+double dependence_on_loops(int times) {
+  const OneForms forms(slit_ring(refined(two_slits(), times), moebius).mesh);
+  const auto distance = [](const CircularMap& map, int a, int b) {
+    const auto circle = [&](int loop) {
+      return map.domain.circles[static_cast<std::size_t>(std::find(map.loop.begin(), map.loop.end(), loop) -
+                                                         map.loop.begin())];
+    };
+    const Circle p = circle(a);
+    const Circle q = circle(b);
+    return std::abs(std::norm(p.center - q.center) - p.radius * p.radius - q.radius * q.radius) /
+           (2 * p.radius * q.radius);
+  };
+  double greatest = 0;
+  const CircularMap first = circular_map(forms, slit_map(forms, 0, 1));
+  for (const auto& [outer, inner] : {std::pair{0, 2}, {0, 3}, {2, 0}, {3, 1}}) {
+    const CircularMap other = circular_map(forms, slit_map(forms, outer, inner));
+    REQUIRE(other.domain.found);
+    for (int a = 0; a < 4; ++a)
+      for (int b = 0; b < a; ++b)
+        greatest = std::max(greatest, std::abs(distance(other, a, b) / distance(first, a, b) - 1));
+  }
+  return greatest;
+}
+
+TEST_CASE("Whatever loops the ring is made from, the circular domain is the same up to a Moebius map") {
+  // Two loops are cracks here, at whose tips harmonic functions go as square roots: order 1.
+  const double coarse = dependence_on_loops(2);
+  const double fine = dependence_on_loops(8);
+  CHECK(coarse < 0.2);
+  CHECK(coarse > 3 * fine);
+}
+
+/// The unit disk: a fan about 0 and rings around it, moved by a function.
+template <class Bend>
+mesh::TriangleMesh disk(int rings, int sectors, const Bend& bend) {
+  format::Soup soup;
+  const auto add = [&](Complex z) {
+    const Complex w = bend(z);
+    soup.points.push_back({w.real(), w.imag(), 0});
+  };
+  add(0);
+  for (int i = 1; i <= rings; ++i)
+    for (int j = 0; j < sectors; ++j)
+      add(std::polar(static_cast<double>(i) / rings, full_turn * (j + i / 2.0) / sectors));
+  const auto at = [&](int i, int j) { return 1 + (i - 1) * sectors + j % sectors; };
+  for (int j = 0; j < sectors; ++j) {
+    soup.triangles.push_back({0, at(1, j), at(1, j + 1)});
+    for (int i = 1; i < rings; ++i) {
+      soup.triangles.push_back({at(i, j), at(i + 1, j), at(i, j + 1)});
+      soup.triangles.push_back({at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)});
+    }
+  }
+  return mesh::build_surface(std::move(soup));
+}
+
+TEST_CASE("Riemann's map of a disk converges to the exact one") {
+  // z + z^2 / 4 is one to one on the unit disk; the way back is what is to be found.
+  const auto bend = [](Complex z) { return z + z * z / 4.0; };
+  const auto error = [&](int rings) {
+    const mesh::TriangleMesh mesh = disk(rings, 4 * rings, bend);
+    const CircularMap map = disk_map(mesh, 0);
+    const auto known = disk(rings, 4 * rings, [](Complex z) { return z; }).points;
+    const int first = mesh.surface.vertex(mesh::boundary_loops(mesh)[0].sides.front());
+    const Complex turn = 1.0 / Complex(known[first][0], known[first][1]);
+    double greatest = 0;
+    for (std::size_t v = 0; v < known.size(); ++v)
+      greatest = std::max(greatest, std::abs(map.position[v] - turn * Complex(known[v][0], known[v][1])));
+    CHECK(distortion_in_plane(mesh, map.position).flipped.empty());
+    return greatest;
+  };
+  const double coarse = error(8);
+  const double fine = error(32);
+  CHECK(coarse < 0.1);
+  CHECK(coarse > 11 * fine);
+}
+
+TEST_CASE("Riemann's map refuses what is no disk, and a centre that is not inside") {
+  const mesh::TriangleMesh mesh = disk(2, 8, [](Complex z) { return z; });
+  CHECK(innermost_vertex(mesh) == 0);
+  CHECK_THROWS_AS(disk_map(mesh, 16), InputError);
+  CHECK_THROWS_AS(disk_map(mesh, 17), InputError);
+  CHECK_THROWS_AS(disk_map(mesh, -1), InputError);
+  CHECK_THROWS_AS(disk_map(slit_ring(two_slits(), moebius).mesh, 20), InputError);
+  const TriangleList fan = {{{0, 1, 2}}, {{0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}}, 3};
+  CHECK(innermost_vertex({fan.points, fan.surface()}) == -1);
+}
+
+TEST_CASE("Vertices pulled out of their place are put back until no triangle is flipped") {
+  const CrackedCylinder domain = slit_ring(refined(two_slits(), 4), moebius);
+  const OneForms forms(domain.mesh);
+  const std::vector<int> loop = mesh::loops_of_vertices(forms.loops(), domain.mesh.surface);
+  const CircularMap good = circular_map(forms, slit_map(forms, 0, 1));
+  CircularMap map = good;
+  CHECK(unflip_in_disk(domain.mesh, map).moved == 0);
+  Random random(3);
+  int pulled = 0;
+  for (int k = 0; k < 12; ++k) {
+    const int v = random.below(static_cast<int>(map.position.size()));
+    if (loop[v] >= 0) continue;
+    map.position[v] += std::polar(0.1, full_turn * random.uniform());
+    ++pulled;
+  }
+  REQUIRE(pulled > 5);
+  REQUIRE_FALSE(distortion_in_plane(domain.mesh, map.position).flipped.empty());
+  const Unflipped done = unflip_in_disk(domain.mesh, map);
+  CHECK(done.left == 0);
+  CHECK(done.moved >= pulled);
+  CHECK(done.moved < 20 * pulled);
+  CHECK(done.farthest > 0.05);
+  CHECK(distortion_in_plane(domain.mesh, map.position).flipped.empty());
+  for (std::size_t k = 0; k < map.loop.size(); ++k)
+    for (const mesh::SideEnd e : forms.loops()[map.loop[k]].sides) {
+      const Circle& circle = map.domain.circles[k];
+      CHECK(std::abs(map.position[domain.mesh.surface.vertex(e)] - circle.center) ==
+            Approx(circle.radius).epsilon(1e-12));
+    }
+}
+
+TEST_CASE("On the cylinder and on the ring vertices of slits stay on them") {
+  const CrackedCylinder domain = slit_ring(refined(two_slits(), 2), moebius);
+  const OneForms forms(domain.mesh);
+  const SlitMap good = slit_map(forms, 0, 1);
+  // A slit's vertex pushed past its neighbour.
+  const auto& sides = forms.loops()[good.slits[0].loop].sides;
+  const int v = domain.mesh.surface.vertex(sides[2]);
+  for (const bool on_ring : {false, true}) {
+    SlitMap map = good;
+    const double push = 2 * (map.form.imaginary[sides[2].side.value]);
+    map.angle[v] += push;
+    for (int s = 0; s < domain.mesh.surface.side_count(); ++s) {
+      if (domain.mesh.surface.to(mesh::Side(s)) == v) map.form.imaginary[s] += push;
+      if (domain.mesh.surface.from(mesh::Side(s)) == v) map.form.imaginary[s] -= push;
+    }
+    const auto flipped = [&] {
+      return (on_ring ? distortion_on_ring(forms, map) : distortion_on_cylinder(forms, map)).flipped.size();
+    };
+    REQUIRE(flipped() > 0);
+    const Unflipped done = on_ring ? unflip_on_ring(forms, map) : unflip_on_cylinder(forms, map);
+    CHECK(done.left == 0);
+    CHECK(flipped() == 0);
+    CHECK(map.log_radius[v] == Approx(good.log_radius[v]).epsilon(1e-12));
+    CHECK(residuals(forms, map).radius < 1e-12);
+  }
+}
+
+TEST_CASE("Fingerprints are those of the surface, not of its triangles") {
+  const mesh::TriangleMesh mesh = slit_ring(two_slits(), moebius).mesh;
+  Random random(5);
+  const TriangleList plain{mesh.surface.triangles(), mesh.points, mesh.surface.vertex_count()};
+  const Fingerprint one = fingerprint(mesh, 0, 1, 30'000);
+  REQUIRE(one.found);
+  REQUIRE(one.triangles.size() == 4);
+  REQUIRE(one.ring.size() == 7);
+  REQUIRE(one.disk.size() == 7);
+  CHECK(distance(one, one) < 1e-15);
+  for (int round = 0; round < 2; ++round) {
+    // Splits only: flips would change the surface.
+    const TriangleList other = relabelled(retriangulated(plain, random, 0, 60), random);
+    const Fingerprint two = fingerprint({other.points, other.surface()}, 0, 1, 30'000);
+    for (std::size_t k = 0; k < one.ring.size(); ++k) {
+      // Errors are estimates: three of them are allowed.
+      const double ring = 3 * (one.ring_error[k] + two.ring_error[k]) + 1e-12;
+      CHECK(std::abs(std::remainder(one.ring[k] - two.ring[k], full_turn)) < ring);
+      CHECK(std::abs(one.disk[k] - two.disk[k]) < 3 * (one.disk_error[k] + two.disk_error[k]) + 1e-12);
+      CHECK(std::abs(one.disk[k] - two.disk[k]) < 1e-3);
+    }
+    CHECK(distance(one, two) < 1e-3);
+  }
+}
+
+TEST_CASE("Fingerprints are near the exact numbers, whatever the position in space") {
+  const CrackedCylinder bent = slit_ring(refined(two_slits(), 4), moebius);
+  mesh::TriangleMesh turned = bent.mesh;
+  for (auto& [x, y, z] : turned.points) std::tie(x, y, z) = std::tuple{5 - 3 * z, 3 * x, -3 * y};
+  const auto loops = mesh::boundary_loops(turned);
+  const Fingerprint found = fingerprint(turned, mesh::loop_through(loops, turned.surface, bent.outer_vertex),
+                                        mesh::loop_through(loops, turned.surface, bent.inner_vertex), 40'000);
+  const CircularDomain exact = circular_domain(exact_ring());
+  // The outer polygon of 64 sides has an area 0.2 percent smaller than its circle.
+  CHECK(found.disk[0] == Approx(exact.circles[1].radius).margin(1e-3));
+  std::vector<double> radii{found.disk[3], found.disk[6]};
+  std::vector<double> known{exact.circles[2].radius, exact.circles[3].radius};
+  std::sort(radii.begin(), radii.end());
+  std::sort(known.begin(), known.end());
+  CHECK(radii[0] == Approx(known[0]).margin(1e-3));
+  CHECK(radii[1] == Approx(known[1]).margin(1e-3));
+}
+
+TEST_CASE("Fingerprints of surfaces with other holes are not compared") {
+  const mesh::TriangleMesh two = slit_ring(two_slits(), moebius).mesh;
+  CylinderGrid grid = two_slits();
+  grid.cracks.pop_back();
+  const mesh::TriangleMesh one = slit_ring(grid, moebius).mesh;
+  CHECK_THROWS_AS(distance(fingerprint(two, 0, 1, 0), fingerprint(one, 0, 1, 0)), InputError);
+  CHECK_THROWS_AS(fingerprint(two, 0, 4, 0), InputError);
+  CHECK(std::isinf(fingerprint(two, 0, 1, 0).disk_error[0]));
+}
+
+} // namespace

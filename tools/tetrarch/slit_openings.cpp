@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "slit_openings.hpp"
+
+#include "text.hpp"
+
+#include "tetrarch/core/error.hpp"
+#include "tetrarch/format/text.hpp"
+#include "tetrarch/mesh/open_handles.hpp"
+#include "tetrarch/mesh/punch.hpp"
+#include "tetrarch/mesh/slice.hpp"
+
+#include <optional>
+#include <string_view>
+
+namespace tetrarch::program {
+namespace {
+
+/// Of "v17" or "17".
+std::optional<long long> vertex_in(std::string_view word) {
+  if (word.starts_with('v')) word.remove_prefix(1);
+  const auto number = format::parse_integer(word);
+  return number && *number >= 0 ? number : std::nullopt;
+}
+
+InputError refusal(const char* option, const std::string& word, const std::string& why) {
+  return InputError(std::string(option) + " " + in_quotes(word) + ": " + why);
+}
+
+mesh::RoundHole round_hole(const std::string& word) {
+  const std::size_t colon = word.find(':');
+  const auto vertex = vertex_in(std::string_view(word).substr(0, colon));
+  const auto radius = colon == std::string::npos
+                          ? std::nullopt
+                          : format::parse_double(std::string_view(word).substr(colon + 1));
+  if (!vertex || !radius || !(*radius > 0))
+    throw refusal("--punch", word, "expected a vertex and a radius, such as v17:0.5");
+  return {*vertex, *radius};
+}
+
+std::vector<long long> path(const std::string& word) {
+  std::vector<long long> vertices;
+  std::string_view rest = word;
+  while (true) {
+    const std::size_t comma = rest.find(',');
+    const auto vertex = vertex_in(rest.substr(0, comma));
+    if (!vertex)
+      throw refusal("--slice", word, "expected vertices with commas between them, such as 3,17,20");
+    vertices.push_back(*vertex);
+    if (comma == std::string_view::npos) return vertices;
+    rest.remove_prefix(comma + 1);
+  }
+}
+
+} // namespace
+
+mesh::OpenedMesh opened(const SurfaceInput& surface, const Openings& openings, const Progress& progress) {
+  std::vector<long long> numbers;
+  for (int v = 0; v < surface.mesh.surface.vertex_count(); ++v)
+    numbers.push_back(format::point_number(surface.labels, v) - surface.labels.first_number);
+  mesh::OpenedMesh result(surface.mesh, std::move(numbers));
+  std::vector<mesh::RoundHole> holes;
+  for (const std::string& word : openings.punch) holes.push_back(round_hole(word));
+  if (!holes.empty()) result = mesh::punch(result, holes);
+  std::vector<std::vector<long long>> paths;
+  for (const std::string& word : openings.slice) paths.push_back(path(word));
+  if (!paths.empty()) result = mesh::slice(result, paths);
+  if (openings.open_handles) result = mesh::open_handles(result, progress).opened;
+  return result;
+}
+
+int loop_named(const std::string& name, const char* option, const mesh::OpenedMesh& surface,
+               const std::vector<mesh::BoundaryLoop>& loops) {
+  const auto number = vertex_in(name);
+  if (!number)
+    throw refusal(option, name, "expected the number of a loop, or v17 for the loop through vertex 17");
+  if (!name.starts_with('v')) {
+    if (*number < static_cast<long long>(loops.size())) return static_cast<int>(*number);
+    throw refusal(option, name,
+                  "there is no such loop; the surface has " +
+                      counted(static_cast<long long>(loops.size()), "boundary loop") + ", counted from 0");
+  }
+  // A vertex that was cut through is there twice, on two loops perhaps: the first one is meant.
+  for (std::size_t k = 0; k < loops.size(); ++k)
+    for (const mesh::SideEnd e : loops[k].sides)
+      if (surface.number[surface.mesh.surface.vertex(e)] == *number) return static_cast<int>(k);
+  throw refusal(option, name, "no boundary loop runs through this vertex");
+}
+
+int vertex_named(const std::string& name, const char* option, const mesh::OpenedMesh& surface) {
+  const auto number = name.starts_with('v') ? vertex_in(name) : std::nullopt;
+  if (!number) throw refusal(option, name, "expected a vertex, such as v17");
+  return mesh::vertex_numbered(surface, *number);
+}
+
+} // namespace tetrarch::program

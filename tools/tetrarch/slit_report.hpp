@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+/// What `slit` says of a map, as JSON and as text.
+
+#include "command.hpp"
+
+#include "tetrarch/mesh/opened.hpp"
+#include "tetrarch/slit/circular_map.hpp"
+#include "tetrarch/slit/fingerprint.hpp"
+#include "tetrarch/slit/quads.hpp"
+#include "tetrarch/slit/quality.hpp"
+#include "tetrarch/slit/unflip.hpp"
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace tetrarch::program {
+
+/// The same facts twice.
+struct Report {
+  Json json = Json::object();
+  std::vector<std::pair<std::string, std::string>> rows; ///< for `block`
+  std::vector<std::string> warnings;
+
+  void add(Report other);
+};
+
+Report loops_report(const mesh::OpenedMesh& surface, const std::vector<mesh::BoundaryLoop>& loops);
+/// `on_ring`: slits have radii, else heights.
+Report map_report(const slit::SlitMap& map, bool on_ring);
+Report circles_report(const slit::CircularMap& map);
+Report unflipped_report(const slit::Unflipped& unflipped);
+Report distortion_report(const slit::Distortion& distortion);
+Report residuals_report(const slit::Residuals& residuals);
+Report quads_report(const slit::QuadMesh& quads);
+/// Loops by number, without the outer and the inner one.
+Report fingerprint_report(const slit::Fingerprint& fingerprint, const std::vector<int>& slit_loops);
+
+} // namespace tetrarch::program
