@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "tetrarch/mesh/laplacian.hpp"
 
-#include "sparse_cholesky.hpp"
 #include "tetrarch/core/error.hpp"
+#include "tetrarch/mesh/sparse_cholesky.hpp"
 
 #include <algorithm>
 #include <cmath>

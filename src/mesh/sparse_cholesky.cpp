@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "sparse_cholesky.hpp"
+#include "tetrarch/mesh/sparse_cholesky.hpp"
 
 #include "tetrarch/core/error.hpp"
 

@@ -22,7 +22,7 @@ using SpacePoint = std::array<double, 3>;
 
 struct CrossingPoints {
   std::vector<SpacePoint> points; ///< line by line from below, the first and the last line left out
-  double outside = 0;             ///< greatest distance from the triangle in which a point was looked for
+  double outside = 0;             ///< as `QuadMesh` has it
 };
 /// `angles` ascending, less than a full turn in all; `heights` ascending.
 CrossingPoints crossing_points(const mesh::TriangleMesh& mesh, const SlitMap& map,

@@ -234,6 +234,35 @@ TEST_CASE("On the cylinder and on the ring vertices of slits stay on them") {
   }
 }
 
+TEST_CASE("On bad triangles maps flip some, and no flipped triangle is left") {
+  Random random(9);
+  std::size_t flipped = 0;
+  for (int round = 0; round < 15; ++round) {
+    const CrackedCylinder domain = slit_ring(refined(two_slits(), 1 + round % 3), moebius);
+    const TriangleList plain{domain.mesh.surface.triangles(), domain.mesh.points,
+                             domain.mesh.surface.vertex_count()};
+    const TriangleList bad = retriangulated(plain, random, 0, 20 + round % 5 * 40);
+    const mesh::TriangleMesh mesh{bad.points, bad.surface()};
+    const OneForms forms(mesh, {}, round % 2 == 0 ? Edges::own : Edges::intrinsic_delaunay);
+    SlitMap cylinder = slit_map(forms, outer_loop(forms, domain), inner_loop(forms, domain));
+    SlitMap ring = cylinder;
+    CircularMap disk = circular_map(forms, ring);
+    flipped += distortion_on_cylinder(forms, cylinder).flipped.size() +
+               distortion_on_ring(forms, ring).flipped.size() +
+               distortion_in_plane(mesh, disk.position).flipped.size();
+    CHECK(unflip_on_cylinder(forms, cylinder).left == 0);
+    CHECK(unflip_on_ring(forms, ring).left == 0);
+    CHECK(unflip_in_disk(mesh, disk).left == 0);
+    CHECK(distortion_on_cylinder(forms, cylinder).flipped.empty());
+    CHECK(distortion_on_ring(forms, ring).flipped.empty());
+    CHECK(distortion_in_plane(mesh, disk.position).flipped.empty());
+    // Loops still lie on their slits.
+    CHECK(residuals(forms, cylinder).radius < 1e-12);
+    CHECK(residuals(forms, ring).radius < 1e-12);
+  }
+  CHECK(flipped > 10);
+}
+
 TEST_CASE("Fingerprints are those of the surface, not of its triangles") {
   const mesh::TriangleMesh mesh = slit_ring(two_slits(), moebius).mesh;
   Random random(5);

@@ -771,6 +771,38 @@ class Bundle(InAFolder):
         self.assertEqual((made["homology"], made["euler_number"], made["surface"]["type"]), ("Z/4", 1, "projective plane"))
 
 
+class Register(InAFolder):
+    def test_a_surface_with_itself_moved(self):
+        ring = os.path.join(SOURCE, "tests/data/mesh/ring_two_holes.off")
+        with open(ring, encoding="utf-8") as file:
+            lines = file.read().splitlines()
+        vertices = int(lines[1].split()[0])
+        points = [[float(x) for x in line.split()] for line in lines[2:2 + vertices]]
+        moved = [[5 - y, x, z + 1] for x, y, z in points]
+        text = [" ".join(repr(x) for x in p) for p in moved]
+        other = self.path("moved.off", "\n".join(lines[:2] + text + lines[2 + vertices:]) + "\n")
+        resampled, average = self.path("resampled.obj"), self.path("average.obj")
+        code, made = run_json("register", ring, other, "-o", resampled, "--average", average)
+        self.assertEqual((code, made["matching"], made["flipped"]), (0, [0, 1, 2], 0))
+        self.assertLess(made["max_distance"], 1e-9)
+        self.assertAlmostEqual(made["mean_quasiconformal"], 1, delta=1e-6)
+        for path, expected in ((resampled, moved), (average, points)):
+            with open(path, encoding="utf-8") as file:
+                found = [[float(x) for x in line.split()[1:]] for line in file if line.startswith("v ")]
+            self.assertLess(max(math.dist(p, q) for p, q in zip(found, expected)), 1e-9)
+            self.assertEqual(len(found), vertices)
+
+    def test_bad_input(self):
+        ring = os.path.join(SOURCE, "tests/data/mesh/ring_two_holes.off")
+        torus = os.path.join(SOURCE, "tests/data/mesh/torus.off")
+        for other, options, complaint in ((torus, [], "has 0 boundary loops"), (ring, ["--match", "0,1"], "for each"),
+                                          (ring, ["--match", "0,1,1"], ""), (ring, ["--match", "0,1,x"], "expected the number"),
+                                          (ring, ["--inner", "0"], "two"), (ring, ["-o", self.path("a.stl")], "extension")):
+            done = run("register", ring, other, *options)
+            self.assertEqual((done.returncode, done.stderr.count("\n")), (2, 1), done.stderr)
+            self.assertIn(complaint, done.stderr)
+
+
 class Slit(InAFolder):
     def setUp(self):
         super().setUp()

@@ -69,6 +69,7 @@ Run declare_embed(CLI::App& app);
 Run declare_view(CLI::App& app);
 Run declare_bundle(CLI::App& app);
 Run declare_slit(CLI::App& app);
+Run declare_register(CLI::App& app);
 Run declare_census_gluings(CLI::App& app);
 Run declare_census_enumerate(CLI::App& app);
 Run declare_census_validate(CLI::App& app);

@@ -12,6 +12,7 @@
 #include <filesystem>
 #include <iostream>
 #include <optional>
+#include <semaphore.h>
 #include <set>
 #include <thread>
 
@@ -53,26 +54,33 @@ CLI::App& subcommand(CLI::App& app, const Command& command) {
   return *parent->add_subcommand(name.substr(space + 1), command.summary);
 }
 
-/// Ctrl-C asks the job to stop instead of killing it: a thread waits for the signal, which all others block.
+/// Ctrl-C asks the job to stop instead of killing it. A thread waits for the signal by way of a semaphore:
+/// libraries have threads of their own, older than `main`, to which a signal that is only blocked would go.
 class InterruptWatch {
 public:
   InterruptWatch() {
-    sigemptyset(&signals_);
-    sigaddset(&signals_, SIGINT);
-    sigaddset(&signals_, SIGTERM);
-    pthread_sigmask(SIG_BLOCK, &signals_, nullptr);
-    std::thread([this, source = source_]() mutable {
-      int signal = 0;
-      sigwait(&signals_, &signal);
+    sem_init(&came_, 0, 0);
+    struct sigaction action {};
+    action.sa_handler = [](int) { sem_post(&came_); };
+    action.sa_flags = SA_RESTART;
+    sigaction(SIGINT, &action, nullptr);
+    sigaction(SIGTERM, &action, nullptr);
+    std::thread([source = source_]() mutable {
+      wait();
       source.request_stop();
-      sigwait(&signals_, &signal); // a second one: the job does not listen
+      wait(); // a second one: the job does not listen
       std::_Exit(static_cast<int>(Status::interrupted));
     }).detach();
   }
   std::stop_token token() const { return source_.get_token(); }
 
 private:
-  sigset_t signals_{};
+  static void wait() {
+    while (sem_wait(&came_) != 0) {
+    }
+  }
+
+  inline static sem_t came_{};
   std::stop_source source_;
 };
 

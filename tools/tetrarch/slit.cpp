@@ -11,6 +11,7 @@
 #include "tetrarch/scene/page.hpp"
 #include "tetrarch/scene/quads.hpp"
 #include "tetrarch/scene/slit.hpp"
+#include "tetrarch/slit/ricci.hpp"
 
 #include <CLI/CLI.hpp>
 #include <chrono>
@@ -29,6 +30,7 @@ struct Options {
   std::string outer = "0";
   std::string inner = "1";
   std::string center;
+  std::string method = "harmonic";
   Openings openings;
   bool list_loops = false;
   bool fingerprint = false;
@@ -41,6 +43,7 @@ struct Options {
   bool repair = false;
 
   bool is_circular() const { return domain == "circular"; }
+  bool is_ricci() const { return method == "ricci"; }
 };
 
 /// Of one of the names that are allowed.
@@ -62,6 +65,9 @@ void check(const Options& options) {
       throw InputError({path, 0}, std::string(scene::viewer_missing_reason()));
   }
   if (!options.is_circular() && options.stage >= 0) throw InputError("--stage needs --domain circular");
+  if (!options.is_circular() && options.is_ricci())
+    throw InputError("--method ricci needs --domain circular");
+  if (options.is_ricci() && options.stage >= 0) throw InputError("--stage needs --method harmonic");
   if (!options.is_circular() && !options.center.empty()) throw InputError("--center needs --domain circular");
   if (options.is_circular() && options.quads > 0)
     throw InputError("--quads needs a domain with slits, not --domain circular");
@@ -135,7 +141,10 @@ Made make_disk(const mesh::OpenedMesh& surface, const Options& options) {
                                             : vertex_named(options.center, "--center", surface);
   if (center < 0)
     throw InputError({options.input, 0}, "all vertices are on the boundary; the disk needs one inside");
-  slit::CircularMap map = in_file(options.input, [&] { return slit::disk_map(surface.mesh, center); });
+  slit::CircularMap map = in_file(options.input, [&] {
+    return options.is_ricci() ? slit::ricci_circles(surface.mesh, 0, -1).map
+                              : slit::disk_map(surface.mesh, center);
+  });
   Made made = make_circles(surface.mesh, std::move(map), options);
   made.report.json["center"] = surface.number[center];
   return made;
@@ -159,6 +168,12 @@ Made make(const mesh::OpenedMesh& surface, const std::vector<mesh::BoundaryLoop>
   if (loops.size() == 1) return make_disk(surface, options);
   const int outer = loop_named(options.outer, "--outer", surface, loops);
   const int inner = loop_named(options.inner, "--inner", surface, loops);
+  if (options.is_ricci())
+    return make_circles(
+        surface.mesh,
+        in_file(options.input,
+                [&] { return slit::ricci_circles(surface.mesh, outer, inner, {}, progress).map; }),
+        options);
   const slit::OneForms forms = in_file(options.input, [&] {
     return slit::OneForms(surface.mesh, progress,
                           options.intrinsic ? slit::Edges::intrinsic_delaunay : slit::Edges::own);
@@ -308,6 +323,10 @@ Run declare_slit(CLI::App& app) {
                  "the loop through vertex 17, counted from 0")
       ->capture_default_str();
   app.add_option("--inner", o->inner, "the loop that becomes the inner circle, likewise")
+      ->capture_default_str();
+  app.add_option("--method", o->method,
+                 "of the circular domain: by harmonic functions and opened slits, or by discrete Ricci flow")
+      ->check(CLI::IsMember({"harmonic", "ricci"}))
       ->capture_default_str();
   app.add_option("--center", o->center,
                  "of a surface with one loop, the vertex that goes to 0 (default: innermost)");

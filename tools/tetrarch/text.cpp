@@ -26,7 +26,9 @@ std::string block(const std::vector<std::pair<std::string, std::string>>& rows) 
 }
 
 std::string fixed(double x, int decimals) {
-  return formatted(x, std::chars_format::fixed, decimals);
+  const std::string text = formatted(x, std::chars_format::fixed, decimals);
+  // No "-0.000".
+  return text.find_first_not_of("-0.") == std::string::npos && text.starts_with('-') ? text.substr(1) : text;
 }
 std::string scientific(double x, int decimals) {
   return formatted(x, std::chars_format::scientific, decimals);

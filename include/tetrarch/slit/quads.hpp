@@ -30,8 +30,8 @@ struct QuadMesh {
   std::vector<double> angles;  ///< of the vertical lines, ascending, less than a full turn in all
   std::vector<double> heights; ///< of the horizontal ones, from 0 to the modulus
   double thinnest = 1; ///< least distance between neighbouring lines, as a part of the distance wanted
-  /// How far points lie outside of the triangles that they were found in, on the cylinder: rounding only,
-  /// whether triangles are flipped or not, if the map is constant on loops.
+  /// How far points lie beyond a side of the triangle that they were found in, on the cylinder: by rounding
+  /// only, whether triangles are flipped or not, if the map is constant on loops.
   double outside = 0;
 };
 

@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "command.hpp"
+#include "output.hpp"
+#include "slit_openings.hpp"
+#include "text.hpp"
+
+#include "tetrarch/core/error.hpp"
+#include "tetrarch/scene/files.hpp"
+#include "tetrarch/slit/registration.hpp"
+#include "tetrarch/slit/unflip.hpp"
+
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <sstream>
+
+namespace tetrarch::program {
+namespace {
+
+struct Options {
+  std::string first;
+  std::string second;
+  std::string outer = "0";
+  std::string inner = "1";
+  std::string match;
+  std::string resampled;
+  std::string average;
+  bool unflip = false;
+  bool as_placed = false;
+  bool repair = false;
+};
+
+struct Input {
+  mesh::OpenedMesh surface;
+  std::vector<mesh::BoundaryLoop> loops;
+};
+
+Input read(const std::string& path, bool repair, Result& result) {
+  const SurfaceInput input = read_surface(path, repair);
+  result.warnings.insert(result.warnings.end(), input.warnings.begin(), input.warnings.end());
+  Input read{opened(input, {}, {}), {}};
+  read.loops = mesh::boundary_loops(read.surface.mesh);
+  return read;
+}
+
+/// Of each loop of the first surface the loop of the second one.
+std::vector<int> matching(const Options& options, const Input& first, const Input& second) {
+  std::vector<int> result;
+  if (options.match.empty()) {
+    for (int k = 0; k < static_cast<int>(first.loops.size()); ++k) result.push_back(k);
+    return result;
+  }
+  std::istringstream words(options.match);
+  for (std::string word; std::getline(words, word, ',');)
+    result.push_back(loop_named(word, "--match", second.surface, second.loops));
+  if (result.size() != first.loops.size())
+    throw InputError("--match " + in_quotes(options.match) + ": expected a loop of " + options.second +
+                     " for each of the " +
+                     counted(static_cast<long long>(first.loops.size()), "boundary loop") + " of " +
+                     options.first);
+  return result;
+}
+
+slit::OneForms one_forms(const Input& input, const std::string& path, const Progress& progress) {
+  try {
+    return slit::OneForms(input.surface.mesh, progress, slit::Edges::intrinsic_delaunay);
+  } catch (const InputError& e) {
+    throw InputError({path, 0}, e.what());
+  }
+}
+
+slit::CircularMap circles(const slit::OneForms& forms, int outer, int inner, bool unflip, Result& result) {
+  slit::CircularMap map = slit::circular_map(forms, slit::slit_map(forms, outer, inner));
+  if (unflip) slit::unflip_in_disk(forms.mesh(), map);
+  if (!map.domain.found) {
+    result.status = Status::undecided;
+    result.warnings.emplace_back("the circles are not round within the budget of rounds");
+  }
+  return map;
+}
+
+void tell(Result& result, const slit::Registration& r, const std::vector<int>& match) {
+  result.json = {{"matching", match},
+                 {"mean_quasiconformal", r.mean_quasi_conformal},
+                 {"max_quasiconformal", r.max_quasi_conformal},
+                 {"mean_distance", r.mean_distance},
+                 {"max_distance", r.max_distance},
+                 {"flipped", r.flipped.size()},
+                 {"outside", r.outside},
+                 {"moved", r.moved}};
+  std::vector<std::string> pairs;
+  for (std::size_t k = 0; k < match.size(); ++k)
+    pairs.push_back(std::to_string(k) + " to " + std::to_string(match[k]));
+  const auto flipped = static_cast<long long>(r.flipped.size());
+  result.text =
+      block({{"loops", joined(pairs, ", ")},
+             {"quasi-conformal",
+              "mean " + fixed(r.mean_quasi_conformal, 4) + ", greatest " + fixed(r.max_quasi_conformal, 4)},
+             {"distances", "mean " + rounded(r.mean_distance) + ", greatest " + rounded(r.max_distance)},
+             {"flipped", flipped == 0 ? "none" : counted(flipped, "triangle")}});
+  if (flipped > 0)
+    result.warnings.push_back(counted(flipped, "triangle") + (flipped == 1 ? " is" : " are") +
+                              " turned over; --unflip moves vertices until none is");
+}
+
+std::string file(const std::string& path, const std::vector<std::array<double, 3>>& points,
+                 const std::vector<std::array<int, 3>>& triangles) {
+  scene::Scene scene;
+  scene::Surface& surface = scene.surfaces.emplace_back();
+  surface.name = "surface";
+  surface.points = points;
+  surface.triangles = triangles;
+  return scene::write_scene(scene, *scene::scene_format_for_extension(path));
+}
+
+Result run_register(const Options& options, const Context& context) {
+  for (const std::string& path : {options.resampled, options.average}) {
+    if (path.empty()) continue;
+    require_folder(path);
+    if (!scene::scene_format_for_extension(path))
+      throw InputError({path, 0},
+                       "nothing that can be written has this extension (expected .obj, .ply, .vtu or .glb)");
+  }
+  Result result;
+  const Input first = read(options.first, options.repair, result);
+  const Input second = read(options.second, options.repair, result);
+  if (first.loops.size() != second.loops.size())
+    throw InputError({options.second, 0},
+                     "has " + counted(static_cast<long long>(second.loops.size()), "boundary loop") +
+                         ", but " + options.first + " has " + std::to_string(first.loops.size()));
+  const int outer = loop_named(options.outer, "--outer", first.surface, first.loops);
+  const int inner = loop_named(options.inner, "--inner", first.surface, first.loops);
+  const slit::OneForms a = one_forms(first, options.first, context.progress);
+  const slit::OneForms b = one_forms(second, options.second, context.progress);
+  slit::RegistrationOptions how;
+  how.matching = matching(options, first, second);
+  how.aligned = !options.as_placed;
+  how.unflip = options.unflip;
+  const slit::CircularMap map_a = circles(a, outer, inner, options.unflip, result);
+  const slit::CircularMap map_b =
+      circles(b, how.matching[outer], how.matching[inner], options.unflip, result);
+  const slit::Registration r = slit::registered(a, map_a, b.mesh(), map_b, how);
+  tell(result, r, how.matching);
+  const auto& triangles = a.mesh().surface.triangles();
+  if (!options.resampled.empty())
+    result.files.push_back({options.resampled, file(options.resampled, r.resampled, triangles)});
+  if (!options.average.empty())
+    result.files.push_back({options.average, file(options.average, r.average, triangles)});
+  return result;
+}
+
+} // namespace
+
+Run declare_register(CLI::App& app) {
+  const auto o = std::make_shared<Options>();
+  app.add_option("FIRST", o->first, "a sphere with two holes or more: OBJ, OFF, PLY or STL")->required();
+  app.add_option("SECOND", o->second, "another one with as many holes")->required();
+  app.add_option(
+      "--match", o->match,
+      "for each boundary loop of FIRST the one of SECOND, such as 0,2,1 or v3,v17,v20 (default: those "
+      "of the same number)");
+  app.add_option("--outer", o->outer,
+                 "the loop of FIRST that becomes the outer circle of the disk, as for slit")
+      ->capture_default_str();
+  app.add_option("--inner", o->inner, "and the one about its centre")->capture_default_str();
+  app.add_flag("--unflip", o->unflip, "move vertices in the disks until no triangle is flipped");
+  app.add_flag("--as-placed", o->as_placed,
+               "compare and average where the surfaces are, without moving SECOND to FIRST");
+  app.add_option("-o,--output", o->resampled,
+                 "SECOND's shape with FIRST's vertices and triangles (.obj, .ply, .vtu or .glb)");
+  app.add_option("--average", o->average, "the shape half-way between both, likewise");
+  app.add_flag("--repair", o->repair,
+               "mend orientation, unused vertices, duplicates, degenerate triangles first");
+  return [o](const Context& context) { return run_register(*o, context); };
+}
+
+} // namespace tetrarch::program
