@@ -147,6 +147,7 @@ Layout layout(const slit::OneForms& forms, const slit::SlitMap& map, SlitDomain 
     return result;
   }
   std::vector<std::complex<double>> position;
+  position.reserve(forms.mesh().points.size());
   for (int v = 0; v < forms.mesh().surface.vertex_count(); ++v) position.push_back(map.concentric(v));
   Layout result = disk_layout(forms.mesh(), position);
   result.name = "concentric slit domain";

@@ -275,6 +275,7 @@ CircularDomain circular_domain(const SlitRing& ring, const CircularOptions& opti
 std::vector<Complex> curve_at(const CircularDomain& domain, int curve, const std::vector<double>& t) {
   const Periodic at(domain.curves[static_cast<std::size_t>(curve)]);
   std::vector<Complex> result;
+  result.reserve(t.size());
   for (const double parameter : t) result.push_back(at(parameter));
   return result;
 }

@@ -26,22 +26,14 @@ std::vector<double> parameters(const OneForms& forms, const SlitMap& map, int lo
 
 std::vector<Complex> extended(const OneForms& forms, const SlitMap& map, const std::vector<int>& loops,
                               const Curves& curves) {
-  const auto vertices = static_cast<std::size_t>(forms.mesh().surface.vertex_count());
-  mesh::LaplaceSolver::Columns data(2, std::vector<double>(vertices, 0.0));
+  std::vector<Complex> places(forms.mesh().points.size());
   for (std::size_t k = 0; k < loops.size(); ++k) {
     const Periodic curve(curves[k]);
     const std::vector<double> t = parameters(forms, map, loops[k]);
-    for (std::size_t j = 0; j < t.size(); ++j) {
-      const Complex z = curve(t[j]);
-      const int v = forms.mesh().surface.vertex(forms.loops()[loops[k]].sides[j]);
-      data[0][v] = z.real();
-      data[1][v] = z.imag();
-    }
+    for (std::size_t j = 0; j < t.size(); ++j)
+      places[forms.mesh().surface.vertex(forms.loops()[loops[k]].sides[j])] = curve(t[j]);
   }
-  const mesh::LaplaceSolver::Columns position = forms.extended(data);
-  std::vector<Complex> result;
-  for (std::size_t v = 0; v < vertices; ++v) result.emplace_back(position[0][v], position[1][v]);
-  return result;
+  return forms.extended(places);
 }
 
 } // namespace
@@ -91,6 +83,7 @@ CircularMap disk_map(const mesh::TriangleMesh& mesh, int center) {
     throw InputError("the centre of the disk must be a vertex inside");
   const std::vector<double> weight = mesh::half_cotangents(mesh);
   std::vector<char> held;
+  held.reserve(loop.size());
   for (const int k : loop) held.push_back(k >= 0);
   const mesh::LaplaceSolver solver(surface, weight, held);
   mesh::LaplaceSolver::Columns data(1, std::vector<double>(held.size(), 0.0));

@@ -25,6 +25,7 @@ struct Level {
 Level level(const mesh::TriangleMesh& mesh, const std::vector<int>& vertex, int outer, int inner) {
   const OneForms forms(mesh, {}, Edges::intrinsic_delaunay);
   std::vector<int> loop;
+  loop.reserve(vertex.size());
   for (const int v : vertex) loop.push_back(mesh::loop_through(forms.loops(), mesh.surface, v));
   const SlitMap map = slit_map(forms, loop[outer], loop[inner]);
   const CircularDomain domain = circular_domain(slit_ring(map));

@@ -195,6 +195,18 @@ Columns OneForms::extended(const Columns& values) const {
   return solver_->solve(data);
 }
 
+std::vector<std::complex<double>> OneForms::extended(const std::vector<std::complex<double>>& values) const {
+  Columns parts(2);
+  for (const std::complex<double>& z : values) {
+    parts[0].push_back(z.real());
+    parts[1].push_back(z.imag());
+  }
+  parts = extended(parts);
+  std::vector<std::complex<double>> result;
+  for (std::size_t v = 0; v < values.size(); ++v) result.emplace_back(parts[0][v], parts[1][v]);
+  return result;
+}
+
 std::vector<double> OneForms::conjugate_along(int loop) const {
   const auto& sides = loops_[loop].sides;
   std::vector<double> result{0.0};

@@ -223,21 +223,14 @@ std::vector<Complex> carried_over(const OneForms& forms, const CircularMap& map,
                                   const std::vector<RoundLoop>& a, const std::vector<const RoundLoop*>& b,
                                   const mesh::Surface& surface, const std::vector<Complex>& target,
                                   double turn) {
-  const auto vertices = static_cast<std::size_t>(forms.mesh().surface.vertex_count());
-  mesh::LaplaceSolver::Columns data(2, std::vector<double>(vertices, 0.0));
+  std::vector<Complex> places(forms.mesh().points.size());
   for (std::size_t k = 0; k < a.size(); ++k)
     for (const mesh::SideEnd e : forms.loops()[k].sides) {
       const int v = forms.mesh().surface.vertex(e);
       const MeshPoint at = b[k]->at(a[k].angle_of(map.position[v]) + turn);
-      Complex z = 0;
-      for (std::size_t c = 0; c < 3; ++c) z += at.weight[c] * target[surface.corners(at.triangle)[c]];
-      data[0][v] = z.real();
-      data[1][v] = z.imag();
+      for (std::size_t c = 0; c < 3; ++c) places[v] += at.weight[c] * target[surface.corners(at.triangle)[c]];
     }
-  const mesh::LaplaceSolver::Columns position = forms.extended(data);
-  std::vector<Complex> result;
-  for (std::size_t v = 0; v < vertices; ++v) result.emplace_back(position[0][v], position[1][v]);
-  return result;
+  return forms.extended(places);
 }
 
 /// Vertices slide along B's circles.

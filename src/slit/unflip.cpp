@@ -288,6 +288,7 @@ Unflipped unflip_on_cylinder(const OneForms& forms, SlitMap& map) {
 Unflipped unflip_on_ring(const OneForms& forms, SlitMap& map) {
   std::map<int, Complex> ordered = order_slits(forms, map);
   std::vector<Complex> position;
+  position.reserve(forms.mesh().points.size());
   for (int v = 0; v < forms.mesh().surface.vertex_count(); ++v) position.push_back(map.concentric(v));
   for (auto& [v, step] : ordered) step = position[v] * (1.0 - std::polar(1.0, -step.imag()));
   const std::vector<Circle> about_origin(forms.loops().size(), Circle{0, 1, 0});

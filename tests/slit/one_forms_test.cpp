@@ -91,7 +91,7 @@ TEST_CASE("Values on the loops extend to harmonic functions, with any numbers in
   REQUIRE(found.size() == 2);
   for (std::size_t k = 0; k < 2; ++k)
     for (std::size_t v = 0; v < loop.size(); ++v) CHECK(found[k][v] == Approx(known[k][v]).margin(1e-12));
-  CHECK_THROWS_AS(forms.extended({{1, 2}}), PreconditionError);
+  CHECK_THROWS_AS(forms.extended(mesh::LaplaceSolver::Columns{{1, 2}}), PreconditionError);
 }
 
 TEST_CASE("Fluxes are energies: symmetric, and what flows in flows out") {

@@ -55,6 +55,7 @@ std::vector<long long> path(const std::string& word) {
 
 mesh::OpenedMesh opened(const SurfaceInput& surface, const Openings& openings, const Progress& progress) {
   std::vector<long long> numbers;
+  numbers.reserve(surface.mesh.points.size());
   for (int v = 0; v < surface.mesh.surface.vertex_count(); ++v)
     numbers.push_back(format::point_number(surface.labels, v) - surface.labels.first_number);
   mesh::OpenedMesh result(surface.mesh, std::move(numbers));

@@ -21,6 +21,7 @@
 #include "tetrarch/mesh/laplacian.hpp"
 #include "tetrarch/slit/one_form.hpp"
 
+#include <complex>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -69,6 +70,8 @@ public:
   /// The harmonic functions with given values at the vertices of the loops; `values[k][v]` is not read where
   /// v is on no loop. The factor for that is kept, so it costs what solving costs, about O(n log n) each.
   mesh::LaplaceSolver::Columns extended(const mesh::LaplaceSolver::Columns& values) const;
+  /// Likewise of one complex function.
+  std::vector<std::complex<double>> extended(const std::vector<std::complex<double>>& values) const;
 
 private:
   /// Where the strips start.
