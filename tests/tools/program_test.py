@@ -897,6 +897,16 @@ class Slit(InAFolder):
         with open(names[2], encoding="utf-8") as file:
             self.assertIn("tetrarch texture", file.read())
 
+    def test_the_second_route_to_the_circular_domain(self):
+        _, first = run_json("slit", self.ring, "--domain", "circular")
+        _, second = run_json("slit", self.ring, "--domain", "circular", "--method", "ricci")
+        self.assertEqual((second["outer"], second["inner"], second["converged"], second["flipped"]), (0, 1, True, 0))
+        for a, b in zip(first["circles"], second["circles"]):
+            # 286 triangles: both are a few percent off, one below and one above.
+            self.assertAlmostEqual(a["radius"], b["radius"], delta=0.01)
+            self.assertAlmostEqual(a["center"][0], b["center"][0], delta=0.01)
+        self.assertIn("circular", self.refused(self.ring, "--method", "ricci"))
+
     def test_stages_and_basis(self):
         _, ring = run_json("slit", self.ring)
         files = {}

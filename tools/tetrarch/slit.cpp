@@ -168,12 +168,16 @@ Made make(const mesh::OpenedMesh& surface, const std::vector<mesh::BoundaryLoop>
   if (loops.size() == 1) return make_disk(surface, options);
   const int outer = loop_named(options.outer, "--outer", surface, loops);
   const int inner = loop_named(options.inner, "--inner", surface, loops);
-  if (options.is_ricci())
-    return make_circles(
+  if (options.is_ricci()) {
+    Made made = make_circles(
         surface.mesh,
         in_file(options.input,
                 [&] { return slit::ricci_circles(surface.mesh, outer, inner, {}, progress).map; }),
         options);
+    made.report.json["outer"] = outer;
+    made.report.json["inner"] = inner;
+    return made;
+  }
   const slit::OneForms forms = in_file(options.input, [&] {
     return slit::OneForms(surface.mesh, progress,
                           options.intrinsic ? slit::Edges::intrinsic_delaunay : slit::Edges::own);
