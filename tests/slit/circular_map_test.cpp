@@ -316,4 +316,27 @@ TEST_CASE("Fingerprints of surfaces with other holes are not compared") {
   CHECK(std::isinf(fingerprint(two, 0, 1, 0).disk_error[0]));
 }
 
+TEST_CASE("Turning the disk changes no distance, moving one circle changes it by as much") {
+  Fingerprint a;
+  a.disk = {0.2, 0.5, 0, 0.1, -0.3, 0.4, 0.05};
+  Fingerprint b = a;
+  const Complex turn = std::polar(1.0, 0.7);
+  for (const std::size_t k : {1, 4}) {
+    const Complex z = turn * Complex(a.disk[k], a.disk[k + 1]);
+    b.disk[k] = z.real();
+    b.disk[k + 1] = z.imag();
+  }
+  CHECK(distance(a, b) < 1e-15);
+  b.disk[6] += 0.01;
+  CHECK(distance(a, b) == Approx(0.01).epsilon(1e-12));
+}
+
+TEST_CASE("A drawing twice as large has the factor 2 everywhere") {
+  const mesh::TriangleMesh mesh = disk(3, 9, [](Complex z) { return z; });
+  std::vector<Complex> doubled;
+  for (const auto& p : mesh.points) doubled.emplace_back(2 * p[0], 2 * p[1]);
+  for (const double factor : distortion_in_plane(mesh, doubled).log_factor)
+    CHECK(factor == Approx(std::log(2.0)).epsilon(1e-12));
+}
+
 } // namespace
