@@ -4,6 +4,7 @@
 #include "lay_path.hpp"
 #include "tetrarch/core/error.hpp"
 #include "tetrarch/mesh/cuts.hpp"
+#include "tetrarch/mesh/distance.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -339,9 +340,7 @@ int lengthen(MarkedSurface& surface, int mark, int edges) {
   };
   const auto length = [&](Side s) {
     if (surface.points.empty()) return std::ldexp(1.0, -depth(s));
-    const auto& p = surface.points[surface.surface.from(s)];
-    const auto& q = surface.points[surface.surface.to(s)];
-    return std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
+    return distance(surface.points[surface.surface.from(s)], surface.points[surface.surface.to(s)]);
   };
   using Entry = std::pair<double, int>; // minus the length, the side
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;

@@ -2,6 +2,7 @@
 #include "tetrarch/mesh/cuts.hpp"
 
 #include "tetrarch/core/error.hpp"
+#include "tetrarch/mesh/distance.hpp"
 #include "tree_cotree.hpp"
 
 #include <algorithm>
@@ -84,9 +85,8 @@ std::vector<double> side_lengths(const MarkedSurface& surface) {
   std::vector<double> length(static_cast<std::size_t>(surface.surface.side_count()), 1.0);
   if (surface.points.empty()) return length;
   for (int k = 0; k < surface.surface.side_count(); ++k) {
-    const auto& p = surface.points[surface.surface.from(Side(k))];
-    const auto& q = surface.points[surface.surface.to(Side(k))];
-    length[k] = std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
+    length[k] =
+        distance(surface.points[surface.surface.from(Side(k))], surface.points[surface.surface.to(Side(k))]);
   }
   return length;
 }

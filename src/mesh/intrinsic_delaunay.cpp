@@ -2,6 +2,7 @@
 #include "tetrarch/mesh/intrinsic_delaunay.hpp"
 
 #include "tetrarch/core/error.hpp"
+#include "tetrarch/mesh/distance.hpp"
 #include "tetrarch/mesh/laplacian.hpp"
 
 #include <algorithm>
@@ -13,12 +14,6 @@ namespace {
 
 /// A negative sum of cotangents above this may be a rounding error, and is so for all corners of a square.
 constexpr double tolerance = 1e-12;
-
-double length_between(const TriangleMesh& mesh, Side s) {
-  const auto& p = mesh.points[mesh.surface.from(s)];
-  const auto& q = mesh.points[mesh.surface.to(s)];
-  return std::hypot(q[0] - p[0], q[1] - p[1], q[2] - p[2]);
-}
 
 /// The apex of the triangle at s, where s runs from (0, 0) along the first axis. The area is Kahan's, which
 /// stays exact for needles.
@@ -117,7 +112,7 @@ IntrinsicTriangulation intrinsic_delaunay(const TriangleMesh& mesh, std::vector<
   for (int k = 0; k < mesh.surface.side_count(); ++k) {
     if (mesh.surface.is_turned(Side(k)))
       throw PreconditionError("intrinsic Delaunay triangulations are made of oriented surfaces");
-    out.length[k] = length_between(mesh, Side(k));
+    out.length[k] = distance(mesh.points[out.surface.from(Side(k))], mesh.points[out.surface.to(Side(k))]);
   }
   Flipper(out, closed).run();
   return out;

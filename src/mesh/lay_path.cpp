@@ -3,6 +3,7 @@
 
 #include "tetrarch/core/error.hpp"
 #include "tetrarch/mesh/cuts.hpp"
+#include "tetrarch/mesh/distance.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -113,9 +114,7 @@ double Search::surcharge(int node) const {
 double Search::cost(int a, int b) const {
   const double extra = (surcharge(b) + step_cost) * unit_;
   if (surface_.points.empty()) return unit_ + extra;
-  const std::array<double, 3> p = place(a);
-  const std::array<double, 3> q = place(b);
-  return std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]) + extra;
+  return distance(place(a), place(b)) + extra;
 }
 
 int Search::run(const std::vector<SideEnd>& from, const std::vector<SideEnd>& to) {

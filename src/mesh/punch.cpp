@@ -3,6 +3,7 @@
 
 #include "tetrarch/core/error.hpp"
 #include "tetrarch/format/text.hpp"
+#include "tetrarch/mesh/distance.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -55,17 +56,14 @@ Puncher::Puncher(const OpenedMesh& opened)
 std::vector<int> Puncher::around(const RoundHole& hole) const {
   const auto& points = opened_.mesh.points;
   const int centre = vertex_numbered(opened_, hole.vertex);
-  const auto distance = [&](int v) {
-    return std::hypot(points[v][0] - points[centre][0], points[v][1] - points[centre][1],
-                      points[v][2] - points[centre][2]);
-  };
+  const auto from_centre = [&](int v) { return distance(points[v], points[centre]); };
   double least = 0;
   std::vector<int> triangles;
   std::vector<char> seen(taken_.size(), 0);
   for (const SideEnd e : star(centre)) {
     triangles.push_back(e.side.triangle());
     seen[e.side.triangle()] = 1;
-    for (const int v : surface().corners(e.side.triangle())) least = std::max(least, distance(v));
+    for (const int v : surface().corners(e.side.triangle())) least = std::max(least, from_centre(v));
   }
   if (!(hole.radius >= least))
     throw InputError("the radius " + format::to_text(hole.radius) + " of the hole at vertex " +
@@ -75,7 +73,7 @@ std::vector<int> Puncher::around(const RoundHole& hole) const {
     for (const Side s : sides_of(triangles[k])) {
       if (surface().is_boundary(s)) continue;
       const int next = surface().mate(s).triangle();
-      if (seen[next] || distance(surface().apex(surface().mate(s))) > hole.radius) continue;
+      if (seen[next] || from_centre(surface().apex(surface().mate(s))) > hole.radius) continue;
       seen[next] = 1;
       triangles.push_back(next);
     }

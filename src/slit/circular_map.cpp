@@ -5,6 +5,7 @@
 #include "periodic.hpp"
 #include "slit_curve.hpp"
 #include "tetrarch/core/error.hpp"
+#include "tetrarch/mesh/distance.hpp"
 #include "tetrarch/mesh/laplacian.hpp"
 
 #include <cmath>
@@ -94,11 +95,8 @@ CircularMap disk_map(const mesh::TriangleMesh& mesh, int center) {
   const auto& sides = loops[0].sides;
   const std::size_t n = sides.size();
   std::vector<double> length;
-  for (const mesh::SideEnd e : sides) {
-    const auto& p = mesh.points[surface.from(e.side)];
-    const auto& q = mesh.points[surface.to(e.side)];
-    length.push_back(std::hypot(q[0] - p[0], q[1] - p[1], q[2] - p[2]));
-  }
+  for (const mesh::SideEnd e : sides)
+    length.push_back(mesh::distance(mesh.points[surface.from(e.side)], mesh.points[surface.to(e.side)]));
   const auto density = [&](std::size_t j) {
     return 2 * flux[surface.vertex(sides[j % n])] / (length[j % n] + length[(j + n - 1) % n]);
   };

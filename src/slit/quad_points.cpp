@@ -2,6 +2,7 @@
 #include "quad_points.hpp"
 
 #include "full_turn.hpp"
+#include "tetrarch/mesh/distance.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -19,10 +20,6 @@ SpacePoint between(const SpacePoint& p, const SpacePoint& q, double part) {
   SpacePoint r{};
   for (std::size_t k = 0; k < 3; ++k) r[k] = (1 - part) * p[k] + part * q[k];
   return r;
-}
-
-double distance(const SpacePoint& p, const SpacePoint& q) {
-  return std::hypot(q[0] - p[0], q[1] - p[1], q[2] - p[2]);
 }
 
 /// A triangle on the cylinder.
@@ -181,8 +178,8 @@ public:
   /// Where the angle turns at vertex k, which is an extremum: the parabola through it and its neighbours,
   /// over the length along the edges, has slope 0.
   double turning_place(long k) const {
-    const double before = distance(vertex(k - 1), vertex(k));
-    const double after = distance(vertex(k), vertex(k + 1));
+    const double before = mesh::distance(vertex(k - 1), vertex(k));
+    const double after = mesh::distance(vertex(k), vertex(k + 1));
     const double slope_before = (angle(k) - angle(k - 1)) / before;
     const double slope_after = (angle(k + 1) - angle(k)) / after;
     if (slope_before == slope_after) return static_cast<double>(k);

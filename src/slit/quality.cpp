@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "tetrarch/slit/quality.hpp"
 
+#include "flat_triangle.hpp"
 #include "full_turn.hpp"
 #include "tetrarch/mesh/laplacian.hpp"
 
@@ -14,40 +15,11 @@ namespace {
 
 using mesh::Side;
 using Complex = std::complex<double>;
-using FlatTriangle = std::array<Complex, 3>;
-
-/// A triangle of the mesh laid into the plane: corner 0 at 0, corner 1 on the positive real axis.
-FlatTriangle laid_flat(const mesh::TriangleMesh& mesh, int t) {
-  const auto& corners = mesh.surface.corners(t);
-  const auto edge = [&](int c) {
-    std::array<double, 3> e{};
-    for (int k = 0; k < 3; ++k) e[k] = mesh.points[corners[c]][k] - mesh.points[corners[0]][k];
-    return e;
-  };
-  const auto a = edge(1);
-  const auto b = edge(2);
-  const double length = std::hypot(a[0], a[1], a[2]);
-  const double twice_area =
-      std::hypot(a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]);
-  return {0.0, length, {(a[0] * b[0] + a[1] * b[1] + a[2] * b[2]) / length, twice_area / length}};
-}
 
 double angle_at(const FlatTriangle& p, int c) {
   const Complex a = p[(c + 1) % 3] - p[c];
   const Complex b = p[(c + 2) % 3] - p[c];
   return std::abs(std::arg(b * std::conj(a)));
-}
-
-/// The ratio of the axes of the linear map from p to q; 0 where it does not keep the orientation.
-double ratio_of_axes(const FlatTriangle& p, const FlatTriangle& q) {
-  // q = forward z + backward conj(z), up to a common factor and the translation.
-  const Complex z1 = p[1] - p[0];
-  const Complex z2 = p[2] - p[0];
-  const Complex w1 = q[1] - q[0];
-  const Complex w2 = q[2] - q[0];
-  const double forward = std::abs(w1 * std::conj(z2) - w2 * std::conj(z1));
-  const double backward = std::abs(z1 * w2 - z2 * w1);
-  return forward > backward ? (forward + backward) / (forward - backward) : 0.0;
 }
 
 /// Of the triangles that are not `skipped`.
@@ -63,7 +35,7 @@ Distortion distortion(const mesh::TriangleMesh& mesh, const std::vector<char>& s
       ++result.ears;
       continue;
     }
-    const FlatTriangle p = laid_flat(mesh, t);
+    const FlatTriangle p = laid_flat(mesh.points, mesh.surface.corners(t));
     const FlatTriangle q = image(t);
     const double ratio = ratio_of_axes(p, q);
     if (ratio == 0) {
@@ -72,11 +44,9 @@ Distortion distortion(const mesh::TriangleMesh& mesh, const std::vector<char>& s
     }
     result.quasi_conformal.back() = ratio;
     result.max_quasi_conformal = std::max(result.max_quasi_conformal, ratio);
-    const double twice_area = p[1].real() * p[2].imag();
-    const double twice_image = (std::conj(q[1] - q[0]) * (q[2] - q[0])).imag();
-    result.log_factor.back() = std::log(twice_image / twice_area) / 2;
-    result.mean_quasi_conformal += ratio * twice_area;
-    area += twice_area;
+    result.log_factor.back() = std::log(twice_area(q) / twice_area(p)) / 2;
+    result.mean_quasi_conformal += ratio * twice_area(p);
+    area += twice_area(p);
     for (int c = 0; c < 3; ++c) {
       const double error = std::abs(angle_at(p, c) - angle_at(q, c));
       result.mean_angle_error += error;

@@ -2,6 +2,7 @@
 #include "tetrarch/slit/registration.hpp"
 
 #include "flat_location.hpp"
+#include "flat_triangle.hpp"
 #include "full_turn.hpp"
 #include "periodic.hpp"
 #include "tetrarch/core/error.hpp"
@@ -263,27 +264,10 @@ void locate(const OneForms& forms, const std::vector<const RoundLoop*>& loops, c
   for (const MeshPoint& at : result.at) result.resampled.push_back(point_at(b, at));
 }
 
-/// Two edges of a triangle, as columns.
-Eigen::Matrix<double, 3, 2> edges(const std::vector<SpacePoint>& points,
-                                  const mesh::Surface::Triangle& corners) {
-  Eigen::Matrix<double, 3, 2> result;
-  for (int k = 0; k < 2; ++k) result.col(k) = vector(points[corners[k + 1]]) - vector(points[corners[0]]);
-  return result;
-}
-
-/// The ratio of the axes of the linear map between the planes of two triangles; 0 where the image is flat.
-double ratio_of_axes(const Eigen::Matrix<double, 3, 2>& from, const Eigen::Matrix<double, 3, 2>& to) {
-  const Eigen::Matrix2d before = from.transpose() * from;
-  const Eigen::Matrix2d after = to.transpose() * to;
-  const double area = std::sqrt(before.determinant());
-  const double image = to.col(0).cross(to.col(1)).norm();
+/// Where the image is flat, its axes are rounding errors.
+bool is_flat(const FlatTriangle& p) {
   constexpr double flat = 1e-12;
-  if (!(image > flat * std::max(after(0, 0), after(1, 1)))) return 0;
-  // Half of trace(before^-1 after), over the factor of the area: (ratio + 1 / ratio) / 2.
-  const double mixed =
-      before(1, 1) * after(0, 0) + before(0, 0) * after(1, 1) - 2 * before(0, 1) * after(0, 1);
-  const double mean = std::max(1.0, mixed / (2 * area * image));
-  return mean + std::sqrt(mean * mean - 1);
+  return !(twice_area(p) > flat * longest_squared(p));
 }
 
 /// Returns for each vertex a third of the area of the triangles around it.
@@ -295,10 +279,11 @@ Eigen::VectorXd measure_distortion(const mesh::TriangleMesh& a, Registration& re
   double measured = 0;
   for (int t = 0; t < a.surface.triangle_count(); ++t) {
     const auto& corners = a.surface.corners(t);
-    const auto own = edges(a.points, corners);
-    const double area = own.col(0).cross(own.col(1)).norm() / 2;
+    const FlatTriangle own = laid_flat(a.points, corners);
+    const double area = twice_area(own) / 2;
     for (const int v : corners) share[v] += area / 3;
-    const double ratio = is_flipped[t] ? 0 : ratio_of_axes(own, edges(result.resampled, corners));
+    const FlatTriangle image = laid_flat(result.resampled, corners);
+    const double ratio = is_flipped[t] || is_flat(image) ? 0 : ratio_of_axes(own, image);
     result.quasi_conformal.push_back(ratio);
     if (!is_flipped[t] && ratio == 0) ++result.flattened;
     if (ratio == 0) continue;

@@ -2,6 +2,7 @@
 #include "tetrarch/slit/unflip.hpp"
 
 #include "banks.hpp"
+#include "flat_triangle.hpp"
 #include "full_turn.hpp"
 #include "tetrarch/slit/quality.hpp"
 
@@ -75,21 +76,9 @@ Complex best_anywhere(const std::vector<Wall>& walls) {
   return best;
 }
 
-/// Twice the area, in units of the longest side's square: its altitude in units of that side.
-double width(const mesh::TriangleMesh& mesh, int t) {
-  const auto& [p, q, r] = mesh.surface.corners(t);
-  const auto between = [&](int u, int v) {
-    const auto& a = mesh.points[u];
-    const auto& b = mesh.points[v];
-    return std::array{b[0] - a[0], b[1] - a[1], b[2] - a[2]};
-  };
-  const auto a = between(p, q);
-  const auto b = between(p, r);
-  const auto c = between(q, r);
-  const double longest =
-      std::max({std::hypot(a[0], a[1], a[2]), std::hypot(b[0], b[1], b[2]), std::hypot(c[0], c[1], c[2])});
-  return std::hypot(a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]) /
-         (longest * longest);
+/// The altitude on the longest side, in units of that side.
+double width(const FlatTriangle& p) {
+  return twice_area(p) / longest_squared(p);
 }
 
 /// A drawing by the differences along its sides, so that it may lie on a cylinder.
@@ -105,7 +94,8 @@ public:
   Drawing(const mesh::TriangleMesh& mesh, std::vector<Complex> along, std::vector<char> skipped)
       : surface_(mesh.surface), along_(std::move(along)), skipped_(std::move(skipped)),
         some_end_(static_cast<std::size_t>(surface_.vertex_count())) {
-    for (int t = 0; t < surface_.triangle_count(); ++t) width_.push_back(width(mesh, t));
+    for (int t = 0; t < surface_.triangle_count(); ++t)
+      width_.push_back(width(laid_flat(mesh.points, surface_.corners(t))));
     for (int k = 0; k < surface_.side_count(); ++k) some_end_[surface_.from(Side(k))] = {Side(k), true};
   }
 

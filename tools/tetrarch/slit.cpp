@@ -163,11 +163,22 @@ scene::Layout stage_layout(const slit::OneForms& forms, const slit::SlitMap& map
   return layout;
 }
 
+/// The loops that become circles.
+struct Chosen {
+  int outer = 0;
+  int inner = 1;
+};
+
+Chosen chosen(const mesh::OpenedMesh& surface, const std::vector<mesh::BoundaryLoop>& loops,
+              const Options& options) {
+  return {loop_named(options.outer, "--outer", surface, loops),
+          loop_named(options.inner, "--inner", surface, loops)};
+}
+
 Made make(const mesh::OpenedMesh& surface, const std::vector<mesh::BoundaryLoop>& loops,
           const Options& options, const Progress& progress) {
   if (loops.size() == 1) return make_disk(surface, options);
-  const int outer = loop_named(options.outer, "--outer", surface, loops);
-  const int inner = loop_named(options.inner, "--inner", surface, loops);
+  const auto [outer, inner] = chosen(surface, loops, options);
   if (options.is_ricci()) {
     Made made = make_circles(
         surface.mesh,
@@ -212,23 +223,21 @@ void check_type(const mesh::Surface& surface, const Options& options) {
                        (type.orientable && type.genus() > 0 ? "; --open-handles cuts it open" : ""));
 }
 
-slit::Fingerprint fingerprint(const mesh::OpenedMesh& surface, const std::vector<mesh::BoundaryLoop>& loops,
-                              const std::string& path, const Options& options, const Progress& progress) {
-  const int outer = loop_named(options.outer, "--outer", surface, loops);
-  const int inner = loop_named(options.inner, "--inner", surface, loops);
+slit::Fingerprint fingerprint(const mesh::OpenedMesh& surface, Chosen loops, const std::string& path,
+                              const Progress& progress) {
   constexpr int most_triangles = 500'000;
-  return in_file(path,
-                 [&] { return slit::fingerprint(surface.mesh, outer, inner, most_triangles, progress); });
+  return in_file(path, [&] {
+    return slit::fingerprint(surface.mesh, loops.outer, loops.inner, most_triangles, progress);
+  });
 }
 
 Result run_fingerprint(const mesh::OpenedMesh& surface, const std::vector<mesh::BoundaryLoop>& loops,
                        const Options& options, Report report, const Progress& progress) {
-  const slit::Fingerprint own = fingerprint(surface, loops, options.input, options, progress);
+  const Chosen circles = chosen(surface, loops, options);
+  const slit::Fingerprint own = fingerprint(surface, circles, options.input, progress);
   std::vector<int> slits;
   for (int k = 0; k < static_cast<int>(loops.size()); ++k)
-    if (k != loop_named(options.outer, "--outer", surface, loops) &&
-        k != loop_named(options.inner, "--inner", surface, loops))
-      slits.push_back(k);
+    if (k != circles.outer && k != circles.inner) slits.push_back(k);
   report.rows.clear();
   report.add(fingerprint_report(own, slits));
   Result result;
@@ -237,8 +246,8 @@ Result run_fingerprint(const mesh::OpenedMesh& surface, const std::vector<mesh::
     const mesh::OpenedMesh other = opened(input, {}, progress);
     const auto other_loops = mesh::boundary_loops(other.mesh);
     check_type(other.mesh.surface, options);
-    const double distance =
-        slit::distance(own, fingerprint(other, other_loops, options.distance, options, progress));
+    const double distance = slit::distance(
+        own, fingerprint(other, chosen(other, other_loops, options), options.distance, progress));
     report.json["distance"] = distance;
     report.rows.emplace_back("distance", fixed(distance, 6));
     report.warnings.insert(report.warnings.end(), input.warnings.begin(), input.warnings.end());
