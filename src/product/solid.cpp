@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "tetrarch/product/solid.hpp"
+
+#include "tetrarch/core/error.hpp"
+#include "tetrarch/mesh/volume_sign.hpp"
+
+#include <string>
+#include <utility>
+
+namespace tetrarch::product {
+namespace {
+
+void require_volumes(const mesh::TetMesh& mesh) {
+  for (std::size_t t = 0; t < mesh.tetrahedra.size(); ++t) {
+    const auto& v = mesh.tetrahedra[t];
+    const int sign =
+        mesh::volume_sign(mesh.points[v[0]], mesh.points[v[1]], mesh.points[v[2]], mesh.points[v[3]]);
+    if (sign > 0) continue;
+    throw InputError("tetrahedron " + std::to_string(t) + " (counted from 0) " +
+                     (sign < 0 ? "is inverted: its volume is negative" : "is flat: its volume is 0"));
+  }
+}
+
+/// The outer faces as a surface with vertices of its own.
+void add_boundary(Solid& solid) {
+  solid.on_boundary.assign(solid.mesh.points.size(), -1);
+  solid.outside.assign(4 * solid.mesh.tetrahedra.size(), -1);
+  std::vector<mesh::Surface::Triangle> triangles;
+  for (int t = 0; t < solid.size(); ++t)
+    for (int f = 0; f < 4; ++f) {
+      if (!solid.gluings.is_boundary({t, f})) continue;
+      solid.outside[4 * t + f] = static_cast<int>(triangles.size());
+      solid.face.push_back({t, f});
+      const OrientedTetFace seen = outward({t, f});
+      mesh::Surface::Triangle triangle{solid.corners(t)[seen.a], solid.corners(t)[seen.b],
+                                       solid.corners(t)[seen.c]};
+      for (int& v : triangle) {
+        int& number = solid.on_boundary[v];
+        if (number < 0) {
+          number = static_cast<int>(solid.vertex.size());
+          solid.vertex.push_back(v);
+        }
+        v = number;
+      }
+      triangles.push_back(triangle);
+    }
+  solid.boundary = mesh::Surface(static_cast<int>(solid.vertex.size()), std::move(triangles));
+}
+
+} // namespace
+
+Solid solid(mesh::TetMesh mesh) {
+  require_volumes(mesh);
+  Solid result;
+  result.gluings = mesh::triangulation_of(mesh);
+  result.mesh = std::move(mesh);
+  if (const int pieces = components(result.gluings).count; pieces != 1)
+    throw InputError("the solid falls apart into " + std::to_string(pieces) + " pieces; expected one");
+  add_boundary(result);
+  if (const int surfaces = mesh::parts(result.boundary).count; surfaces != 1)
+    throw InputError("the boundary of the solid has " + std::to_string(surfaces) +
+                     " components; a handlebody has one");
+  return result;
+}
+
+int genus(const Solid& solid) {
+  return mesh::type_of(solid.boundary).genus();
+}
+
+} // namespace tetrarch::product
