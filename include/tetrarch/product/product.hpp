@@ -12,6 +12,7 @@
 ///
 /// Source: Yin, chapter 3.
 
+#include "tetrarch/mesh/triangle_mesh.hpp"
 #include "tetrarch/product/fibers.hpp"
 #include "tetrarch/product/field.hpp"
 
@@ -29,10 +30,10 @@ enum class FloorDomain : std::uint8_t {
 };
 
 struct FloorMap {
-  mesh::TriangleMesh mesh;                    ///< the floor, seen from outside of the solid
-  std::vector<int> vertex;                    ///< of each of its vertices, that of the solid
-  std::vector<int> triangle;                  ///< of each of its triangles, that of the solid's boundary
-  std::vector<std::complex<double>> position; ///< of each vertex; orientation is kept as seen from inside
+  mesh::TriangleMesh mesh;   ///< the floor, its triangles counterclockwise seen from inside of the solid
+  std::vector<int> vertex;   ///< of each of its vertices, that of the solid
+  std::vector<int> triangle; ///< of each of its triangles, that of the solid's boundary
+  std::vector<std::complex<double>> position; ///< of each vertex
   /// Of a rectangle: that of each hole, by its lower left and upper right corner.
   std::vector<std::array<std::complex<double>, 2>> rectangles;
   double height = 0; ///< of a rectangle; its width is 1
