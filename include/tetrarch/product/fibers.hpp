@@ -28,11 +28,21 @@ struct Location {
   std::array<double, 4> weight{};
 };
 
+/// The gradient of a function that is linear on a tetrahedron.
+Point gradient_in(const Solid& solid, int tet, const std::vector<double>& f);
+
 Point point_at(const Solid& solid, const Location& location);
 /// Of a function that is linear on each tetrahedron.
 double value_at(const Solid& solid, const std::vector<double>& f, const Location& location);
 
 enum class Way : std::uint8_t { down, up };
+
+/// Which vectors a fibre follows.
+enum class Direction : std::uint8_t {
+  gradient, ///< of w, constant on each tetrahedron: rises all the way, but fibres may run into one another
+  smoothed  ///< at each vertex the mean of those around it, linear on each tetrahedron: fibres stay apart
+};
+
 enum class FiberEnd : std::uint8_t {
   base,  ///< arrived on the floor, or on the ceiling
   level, ///< arrived at the level that was asked for
@@ -47,42 +57,47 @@ struct Fiber {
   double length = 0;
 };
 
-/// The field of a function that is 0 on the floor and greater elsewhere, ready for tracing. Keeps references
-/// to solid and partition.
+/// A field ready for tracing. Keeps references to solid and partition.
+///
+/// Smoothed vectors are means weighted by volume. At walls what points out of them is taken away, and on a
+/// ridge between two walls all but what runs along it. They are of second order on regular meshes, where the
+/// gradient is of first, and continuous; inside a tetrahedron a fibre then goes straight in the direction of
+/// the middle of its way.
 class FiberField {
 public:
-  /// `w`: of each vertex. O(n), 40 bytes for each tetrahedron.
-  FiberField(const Solid& solid, const Partition& partition, std::vector<double> w);
+  /// The field of `w`, a value for each vertex: 0 on the floor, greatest on the ceiling. O(n).
+  FiberField(const Solid& solid, const Partition& partition, std::vector<double> w,
+             Direction direction = Direction::smoothed);
 
+  const Solid& solid() const { return *solid_; }
   const std::vector<double>& w() const { return w_; }
-  double height() const { return height_; } ///< w on the ceiling
-
-  /// Location of a vertex of the mesh.
+  /// w on the ceiling.
+  double height() const { return height_; }
+  /// A vertex of the mesh.
   Location at_vertex(int v) const;
-  /// Location of a point on a triangle of the boundary; weights by its corners.
+  /// A point of a triangle of the boundary, by weights of its corners.
   Location on_triangle(int triangle, const std::array<double, 3>& weight) const;
 
   /// Follows the field down to the floor, or up to the ceiling. May be called by several threads at the same
   /// time. O(tetrahedra met).
   Fiber trace(const Location& from, Way way) const;
-  /// Only as far as where w is `level`; at once where it is there or beyond.
-  Fiber trace_to(const Location& from, Way way, double level) const;
   /// The same with the corners of the polygon, from start to end, put at the end of `path`.
   Fiber trace(const Location& from, Way way, std::vector<Point>& path) const;
+  /// Only as far as where w is `level`; nowhere if it is there or beyond already.
+  Fiber trace_to(const Location& from, Way way, double level) const;
 
 private:
-  struct Step;
-  struct Walker;
-  Fiber run(const Location& from, Way way, double level, std::vector<Point>* path) const;
+  class Walker;
 
   const Solid* solid_;
   const Partition* partition_;
   std::vector<double> w_;
   double height_ = 0;
-  std::vector<std::array<double, 4>> rate_; ///< of each tetrahedron: how its weights change along grad w
-  std::vector<double> slope_;               ///< |grad w|^2
-  std::vector<char> wall_vertex_;           ///< of each vertex whether it is on a wall
-  std::vector<TetVertex> corner_of_;        ///< of each vertex, one of its corners
+  std::vector<Point> gradient_;   ///< of each tetrahedron
+  std::vector<Point> smoothed_;   ///< of each vertex; empty: the gradient is followed
+  std::vector<int> base_;         ///< of each vertex, as `bases_of_vertices`
+  std::vector<char> on_wall_;     ///< of each vertex
+  std::vector<TetVertex> corner_; ///< of each vertex, one of its corners
 };
 
 } // namespace tetrarch::product

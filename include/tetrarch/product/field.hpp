@@ -35,9 +35,6 @@ struct HarmonicField {
   int negative_weights = 0; ///< edges with a negative weight, clamped or not
 };
 
-/// Of each vertex, which base it is on: floor_patch, ceiling_patch or -1.
-std::vector<int> bases_of_vertices(const Solid& solid, const Partition& partition);
-
 /// Throws InputError if the matrix is not positive definite, where a factorisation is asked for. Conjugate
 /// gradients with an incomplete Cholesky factor from 20,000 free vertices on, in practice some O(n^1.33);
 /// below that, one sparse factorisation.
