@@ -2,6 +2,7 @@
 #include "tetrarch/product/fibers.hpp"
 
 #include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -107,6 +108,11 @@ std::vector<Point> smoothed(const Solid& solid, const Partition& partition,
   return sum;
 }
 
+/// A level that is never reached.
+double beyond(Way way) {
+  return way == Way::up ? std::numeric_limits<double>::max() : -std::numeric_limits<double>::max();
+}
+
 } // namespace
 
 Point gradient_in(const Solid& solid, int tet, const std::vector<double>& f) {
@@ -167,9 +173,10 @@ Location FiberField::on_triangle(int triangle, const std::array<double, 3>& weig
 /// One fibre being followed.
 class FiberField::Walker {
 public:
-  Walker(const FiberField& field, const Location& from, Way way, double level)
+  Walker(const FiberField& field, const Location& from, Way way, double level, Direction direction)
       : field_(field), solid_(*field.solid_), sign_(way == Way::up ? 1 : -1), level_(level),
-        target_(way == Way::up ? ceiling_patch : floor_patch), at_(from) {
+        target_(way == Way::up ? ceiling_patch : floor_patch), is_smoothed_(direction == Direction::smoothed),
+        at_(from) {
     tidy(at_.weight);
     on_wall_ = starts_on_wall();
   }
@@ -225,7 +232,7 @@ private:
 
   /// The motion that the field has halfway, where that is another one and a way on, too.
   Motion in_the_middle(const Motion& motion) const {
-    if (field_.smoothed_.empty() || !(motion.squared_speed > 0)) return motion;
+    if (!is_smoothed_ || !(motion.squared_speed > 0)) return motion;
     const Weights start = seen_from(motion.tet);
     const double half = time_to_exit(motion, start).second / 2;
     Weights middle{};
@@ -326,8 +333,8 @@ private:
   Point velocity(int tet, const Weights& weight) const {
     Point v{};
     for (int c = 0; c < 3; ++c) {
-      if (field_.smoothed_.empty()) v[c] = sign_ * field_.gradient_[tet][c];
-      for (int k = 0; k < 4 && !field_.smoothed_.empty(); ++k)
+      if (!is_smoothed_) v[c] = sign_ * field_.gradient_[tet][c];
+      for (int k = 0; k < 4 && is_smoothed_; ++k)
         v[c] += sign_ * weight[k] * field_.smoothed_[solid_.corners(tet)[k]][c];
     }
     return v;
@@ -413,24 +420,35 @@ private:
   double sign_;
   double level_;
   int target_;
+  bool is_smoothed_;
   Location at_;
   bool on_wall_ = false;
   bool reached_ = false;  ///< the level
   std::vector<int> star_; ///< kept for its memory
 };
 
+Fiber FiberField::run(const Location& from, Way way, double level, std::vector<Point>* path) const {
+  const std::size_t start = path ? path->size() : 0;
+  if (!smoothed_.empty()) {
+    const Fiber fiber = Walker(*this, from, way, level, Direction::smoothed).run(path);
+    if (fiber.end == FiberEnd::base || fiber.end == FiberEnd::level) return fiber;
+    if (path) path->resize(start);
+  }
+  Fiber fiber = Walker(*this, from, way, level, Direction::gradient).run(path);
+  fiber.by_gradient = !smoothed_.empty();
+  return fiber;
+}
+
 Fiber FiberField::trace(const Location& from, Way way) const {
-  return trace_to(from, way,
-                  way == Way::up ? std::numeric_limits<double>::max() : -std::numeric_limits<double>::max());
+  return run(from, way, beyond(way), nullptr);
 }
 
 Fiber FiberField::trace(const Location& from, Way way, std::vector<Point>& path) const {
-  const double beyond = std::numeric_limits<double>::max();
-  return Walker(*this, from, way, way == Way::up ? beyond : -beyond).run(&path);
+  return run(from, way, beyond(way), &path);
 }
 
 Fiber FiberField::trace_to(const Location& from, Way way, double level) const {
-  return Walker(*this, from, way, level).run(nullptr);
+  return run(from, way, level, nullptr);
 }
 
 } // namespace tetrarch::product

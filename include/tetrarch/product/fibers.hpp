@@ -55,6 +55,8 @@ struct Fiber {
   Location at; ///< where it ends; on a base only the weights of vertices on the base are not 0
   int steps = 0;
   double length = 0;
+  /// Whether smoothed vectors led nowhere, so that the gradient was followed from the start.
+  bool by_gradient = false;
 };
 
 /// A field ready for tracing. Keeps references to solid and partition.
@@ -88,6 +90,7 @@ public:
 
 private:
   class Walker;
+  Fiber run(const Location& from, Way way, double level, std::vector<Point>* path) const;
 
   const Solid* solid_;
   const Partition* partition_;

@@ -37,4 +37,7 @@ struct Partition {
 /// cylinders from floor to ceiling, a number of walls that the genus of the boundary forbids. O(n).
 Partition partition(const Solid& solid, const std::vector<int>& base, int outer = -1);
 
+/// Of each vertex of the mesh, which base it is on: floor_patch, ceiling_patch or -1. O(n).
+std::vector<int> bases_of_vertices(const Solid& solid, const Partition& partition);
+
 } // namespace tetrarch::product

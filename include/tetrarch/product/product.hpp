@@ -10,35 +10,71 @@
 ///     |  '-'  |  |              /--------/ |         solid is a product itself.
 ///      \_____/|_/               |________|/
 ///
+/// The way there: `prepared`, `floor_map`, `harmonic_field`, `critical_places`, `FiberField`, `coordinates`.
 /// Source: Yin, chapter 3.
 
-#include "tetrarch/mesh/triangle_mesh.hpp"
 #include "tetrarch/product/fibers.hpp"
 #include "tetrarch/product/field.hpp"
+#include "tetrarch/product/floor_map.hpp"
 
 #include <array>
-#include <complex>
-#include <cstdint>
 #include <vector>
 
 namespace tetrarch::product {
 
-/// The floor laid into the plane.
-enum class FloorDomain : std::uint8_t {
-  circular, ///< the unit disk with round holes
-  rectangle ///< a rectangle of width 1 with rectangular holes
+/// Ready to be solved for.
+struct Prepared {
+  Solid solid;
+  Partition partition;
+  int splits = 0;
 };
 
-struct FloorMap {
-  mesh::TriangleMesh mesh;   ///< the floor, its triangles counterclockwise seen from inside of the solid
-  std::vector<int> vertex;   ///< of each of its vertices, that of the solid
-  std::vector<int> triangle; ///< of each of its triangles, that of the solid's boundary
-  std::vector<std::complex<double>> position; ///< of each vertex
-  /// Of a rectangle: that of each hole, by its lower left and upper right corner.
-  std::vector<std::array<std::complex<double>, 2>> rectangles;
-  double height = 0; ///< of a rectangle; its width is 1
-  int flipped = 0;   ///< triangles
-  bool found = true; ///< whether the solver converged
+/// Splits, in the middle, all edges between two vertices of the same base that are not on this base: where
+/// all vertices of a tetrahedron are on one base, no field could rise. Old vertices keep their numbers.
+/// O(n log n).
+Prepared prepared(Solid solid, Partition partition);
+
+/// The height that keeps the floor's aspect ratio: h d' / d for walls of mean height h, and a floor whose rim
+/// has diameter d in space and d' in its map. (The dissertation has d / d'.) O(n + (length of the rim)^2).
+double natural_height(const Solid& solid, const Partition& partition, const FloorMap& floor);
+
+/// A fibre that did not arrive.
+struct StuckFiber {
+  int vertex = 0; ///< where it started
+  FiberEnd end = FiberEnd::stuck;
+  Point at{}; ///< where it ended
 };
+
+struct Coordinates {
+  std::vector<Point> uvw; ///< of each vertex; of stuck ones, u and v are means of those around
+  std::vector<StuckFiber> stuck;
+  int by_gradient = 0; ///< fibres for which smoothed vectors led nowhere, so that the gradient was followed
+};
+
+/// Traces a fibre from each vertex down to the floor. The same whatever the number of threads. O(n^1.33).
+Coordinates coordinates(const FiberField& field, const FloorMap& floor, int threads = 1,
+                        const Progress& progress = {});
+
+struct Quality {
+  std::vector<int> flipped; ///< tetrahedra whose image has no positive volume, decided exactly
+  /// The cosine of the angle between grad w and grad u or grad v, whichever is greater: its mean by volume,
+  /// and the greatest, over tetrahedra that are not flipped.
+  double mean_orthogonality_error = 0;
+  double max_orthogonality_error = 0;
+  double mean_uv = 0; ///< the same of grad u against grad v
+  double max_uv = 0;
+};
+/// O(n).
+Quality quality(const Solid& solid, const std::vector<Point>& uvw);
+
+/// Each vertex's coordinates confirmed by the opposite way: from where its fibre met the floor, up to its w.
+struct Confirmation {
+  double mean_distance = 0; ///< between the vertex and the point found, in terms of the mean edge length
+  double max_distance = 0;
+  int worst = -1;      ///< a vertex at the greatest distance
+  int off = 0;         ///< vertices farther than one mean edge
+  int not_arrived = 0; ///< fibres that ended before
+};
+Confirmation confirm(const FiberField& field, int threads = 1, const Progress& progress = {});
 
 } // namespace tetrarch::product
