@@ -77,8 +77,14 @@ void map_to_circles(FloorMap& floor, const std::vector<BoundaryLoop>& loops,
     if (center < 0) throw InputError("all vertices of the floor are on its rim; its map needs one inside");
     map = slit::disk_map(floor.mesh, center);
   } else {
-    const slit::OneForms forms(floor.mesh, progress.silent(), slit::Edges::intrinsic_delaunay);
-    map = slit::circular_map(forms, slit::slit_map(forms, loop_of_wall[0], loop_of_wall[1]));
+    slit::RicciCircles circles =
+        slit::ricci_circles(floor.mesh, loop_of_wall[0], loop_of_wall[1], {}, progress.silent());
+    map = std::move(circles.map);
+    // The second route, which is slower where many holes crowd the disk.
+    if (!map.domain.found) {
+      const slit::OneForms forms(floor.mesh, progress.silent(), slit::Edges::intrinsic_delaunay);
+      map = slit::circular_map(forms, slit::slit_map(forms, loop_of_wall[0], loop_of_wall[1]));
+    }
   }
   slit::unflip_in_disk(floor.mesh, map);
   floor.found = map.domain.found;
@@ -199,14 +205,15 @@ std::array<int, 4> given_corners(const FloorMap& floor, const std::array<int, 4>
   return inside;
 }
 
-/// Four vertices of each loop, walls in their order.
-std::vector<std::array<int, 4>> corner_hints(const FloorMap& floor, const std::vector<BoundaryLoop>& loops,
+/// Four vertices of each loop, walls in their order. Of floors that are no plates, their circular map tells
+/// where the corners are.
+std::vector<std::array<int, 4>> corner_hints(FloorMap& floor, const std::vector<BoundaryLoop>& loops,
                                              const std::vector<int>& loop_of_wall,
-                                             const std::array<int, 4>& given) {
+                                             const std::array<int, 4>& given, const Progress& progress) {
   const mesh::Surface& surface = floor.mesh.surface;
   const std::vector<double> turn = turns(floor.mesh);
   const auto places = shadow(floor.mesh, vertices_of(surface, loops[loop_of_wall[0]]));
-  // Of floors that are no plates, their circular map serves.
+  if (!places) map_to_circles(floor, loops, loop_of_wall, progress);
   const std::vector<Complex>& place = places ? *places : floor.position;
   std::vector<std::array<int, 4>> hints;
   for (std::size_t wall = 0; wall < loops.size(); ++wall) {
@@ -230,7 +237,7 @@ void map_to_rectangles(FloorMap& floor, const std::vector<BoundaryLoop>& loops,
                        const std::vector<int>& loop_of_wall, const std::array<int, 4>& corners,
                        const Progress& progress) {
   const slit::RicciRectangles found = slit::ricci_rectangles(
-      floor.mesh, corner_hints(floor, loops, loop_of_wall, corners), {}, progress.silent());
+      floor.mesh, corner_hints(floor, loops, loop_of_wall, corners, progress), {}, progress.silent());
   floor.found = found.found;
   floor.position = found.position;
   floor.height = found.height;
@@ -255,9 +262,10 @@ FloorMap floor_map(const Solid& solid, const Partition& partition, const FloorOp
   FloorMap floor = floor_of(solid, partition);
   const std::vector<BoundaryLoop> loops = mesh::boundary_loops(floor.mesh);
   const std::vector<int> loop_of_wall = loops_of_walls(walls_of_loops(solid, partition, floor, loops));
-  map_to_circles(floor, loops, loop_of_wall, progress);
   if (options.domain == FloorDomain::rectangle)
     map_to_rectangles(floor, loops, loop_of_wall, options.corners, progress);
+  else
+    map_to_circles(floor, loops, loop_of_wall, progress);
   floor.flipped = static_cast<int>(slit::distortion_in_plane(floor.mesh, floor.position).flipped.size());
   return floor;
 }
