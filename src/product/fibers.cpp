@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "tetrarch/product/fibers.hpp"
 
+#include "vectors.hpp"
+
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -11,21 +13,15 @@
 namespace tetrarch::product {
 namespace {
 
-Point cross(const Point& a, const Point& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-
 /// Weights below it become 0: a fibre that comes so near to a face, edge or vertex goes through it.
 constexpr double near_zero = 1e-12;
 
 using Weights = std::array<double, 4>;
+using vectors::cross;
+using vectors::dot;
 
 Point between(const Point& p, const Point& q) {
-  return {q[0] - p[0], q[1] - p[1], q[2] - p[2]};
-}
-
-double dot(const Point& a, const Point& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+  return vectors::difference(q, p);
 }
 
 /// Of the weights of corners 1, 2 and 3 of a tetrahedron; that of corner 0 is minus their sum.

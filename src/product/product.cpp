@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "tetrarch/product/product.hpp"
 
+#include "for_each.hpp"
+
 #include "tetrarch/core/error.hpp"
 #include "tetrarch/mesh/boundary_loops.hpp"
 #include "tetrarch/mesh/distance.hpp"
@@ -9,15 +11,15 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <atomic>
 #include <cmath>
-#include <exception>
 #include <set>
-#include <thread>
 #include <utility>
 
 namespace tetrarch::product {
 namespace {
+
+/// Vertices whose fibres are followed by one thread before it takes more.
+constexpr int batch = 256;
 
 using Edge = std::array<int, 2>;
 
@@ -69,33 +71,6 @@ WallSize size_of_walls(const Solid& solid, const Partition& partition) {
     }
   }
   return size;
-}
-
-/// Runs `job(k)` for all k, by several threads; the first one reports. What a job throws is thrown.
-template <class Job>
-void for_each(int count, int threads, const Progress& progress, const char* stage, const Job& job) {
-  constexpr int batch = 256;
-  std::atomic<int> next = 0;
-  std::atomic<bool> failed = false;
-  std::exception_ptr failure;
-  const auto work = [&](bool reports) {
-    for (int from = next.fetch_add(batch); from < count && !failed; from = next.fetch_add(batch)) {
-      if (reports) progress.step(stage, static_cast<double>(from) / count);
-      for (int k = from; k < std::min(count, from + batch); ++k) job(k);
-    }
-  };
-  {
-    std::vector<std::jthread> helpers;
-    helpers.reserve(static_cast<std::size_t>(std::max(0, threads - 1)));
-    for (int k = 1; k < threads; ++k) helpers.emplace_back([&] { work(false); });
-    try {
-      work(true);
-    } catch (...) {
-      failure = std::current_exception();
-      failed = true;
-    }
-  }
-  if (failure) std::rethrow_exception(failure);
 }
 
 /// u and v of vertices whose fibre did not arrive: means of those around, from the known ones outward.
@@ -172,7 +147,7 @@ Coordinates coordinates(const FiberField& field, const FloorMap& floor, int thre
   for (std::size_t v = 0; v < floor.vertex.size(); ++v) position[floor.vertex[v]] = floor.position[v];
   const int count = static_cast<int>(solid.mesh.points.size());
   std::vector<Fiber> fibers(solid.mesh.points.size());
-  for_each(count, threads, progress, "fibres",
+  for_each(count, threads, batch, progress, "fibres",
            [&](int v) { fibers[v] = field.trace(field.at_vertex(v), Way::down); });
 
   Coordinates result;
@@ -228,7 +203,7 @@ Confirmation confirm(const FiberField& field, int threads, const Progress& progr
   const Solid& solid = field.solid();
   const int count = static_cast<int>(solid.mesh.points.size());
   std::vector<double> distance(solid.mesh.points.size(), -1.0);
-  for_each(count, threads, progress, "the opposite way", [&](int v) {
+  for_each(count, threads, batch, progress, "the opposite way", [&](int v) {
     const Fiber down = field.trace(field.at_vertex(v), Way::down);
     if (down.end != FiberEnd::base) return;
     const Fiber up = field.trace_to(down.at, Way::up, field.w()[v]);

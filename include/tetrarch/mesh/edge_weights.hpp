@@ -25,8 +25,8 @@ struct WeightedEdge {
   double weight = 0;
 };
 
-/// All edges in increasing order of (from, to). A tetrahedron without volume makes weights that are not
-/// finite. O(n), and the sorting of the edges at each vertex.
+/// All edges in increasing order of (from, to). Tetrahedra must be positively handed; one without volume
+/// makes weights that are not finite. O(n), and the sorting of the edges at each vertex.
 std::vector<WeightedEdge> edge_weights(const TetMesh& mesh);
 
 /// L f. O(edges).

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+/// A mesh of hexahedra, and how good they are.
+///
+///        7-------6        Corners 0 to 3 go round the bottom, counterclockwise seen from inside of the
+///       /|      /|        hexahedron, 4 to 7 lie above them; VTK and MEDIT have the same order. At each
+///       corner
+///      4-------5 |        the scaled Jacobian is the determinant of the unit vectors along the three edges:
+///      1 | 3-----|-2        for right angles, 0 or less where the corner is flat or turned inside out. That
+///      of
+///      |/      |/         the hexahedron is the least of the eight and of the one in the middle, where the
+///      0-------1          vectors join the midpoints of opposite sides.
+///
+/// So has it the Verdict library (Stimpson et al., Sandia report 2007-1751, section 6.11).
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace tetrarch::product {
+
+using Point = std::array<double, 3>;
+using Hexahedron = std::array<int, 8>;
+
+struct HexMesh {
+  std::vector<Point> points;
+  std::vector<Hexahedron> hexahedra;
+
+  std::array<Point, 8> corners(std::size_t hexahedron) const;
+};
+
+/// In [-1, 1]; 0 where an edge has no length.
+double scaled_jacobian(const std::array<Point, 8>& corners);
+
+struct BadHexahedron {
+  int hexahedron = 0;
+  double scaled_jacobian = 0;
+  Point center{}; ///< the mean of its corners
+};
+
+struct HexQuality {
+  std::vector<double> scaled_jacobian; ///< of each hexahedron
+  double minimum = 1;
+  double mean = 1;
+  /// How many lie in [-1, -0.9), ... [0.9, 1].
+  std::array<int, 20> histogram{};
+  std::vector<BadHexahedron> bad; ///< those with 0 or less
+};
+
+/// O(n).
+HexQuality quality(const HexMesh& mesh);
+
+} // namespace tetrarch::product

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+/// Hexahedra made better by moving their points, one after the other.
+///
+///      .-----.-----.        The worst of the hexahedra around a point is to be as good as can be. A point
+///      |     |     |        goes to the middle of its neighbours, or half the way, if this worst becomes
+///      |    x--->. |        better there; else, if it is bad, a search in 14 directions with smaller and
+///      .---- \ ----.        smaller steps finds a better place, if any is near. No other hexahedron changes,
+///      |     |     |        so the least scaled Jacobian of the mesh never falls, and what is not tangled
+///      '-----'-----'        stays so.
+///
+/// Source: Freitag and Plassmann, "Local optimization-based simplicial mesh untangling and improvement"
+/// (2000), for tetrahedra.
+
+#include "tetrarch/core/progress.hpp"
+#include "tetrarch/product/hex_mesh.hpp"
+
+#include <vector>
+
+namespace tetrarch::product {
+
+struct SmoothOptions {
+  int most_sweeps = 30;      ///< over all points
+  double search_below = 0.5; ///< points whose worst hexahedron is below are searched around
+  double least_gain = 1e-4;  ///< of the worst around a point, for which the point is moved
+};
+
+struct Smoothed {
+  int sweeps = 0;
+  int moved = 0; ///< points
+  double minimum_before = 1;
+  double minimum_after = 1;
+  int bad_before = 0; ///< hexahedra of scaled Jacobian 0 or less
+  int bad_after = 0;
+};
+
+/// Points with `fixed` not 0 stay where they are. Points are visited by number, so the result is the same
+/// everywhere. Stops when no point moves, or with the last sweep. Throws PreconditionError unless `fixed` has
+/// a value for each point. O(n) a sweep.
+Smoothed smooth(HexMesh& mesh, const std::vector<char>& fixed, const SmoothOptions& options = {},
+                const Progress& progress = {});
+
+} // namespace tetrarch::product

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "tetrarch/product/smooth.hpp"
+
+#include "tetrarch/core/error.hpp"
+#include "vectors.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace tetrarch::product {
+namespace {
+
+using namespace vectors;
+
+constexpr std::array<std::array<int, 2>, 12> hex_edges{
+    {{0, 1}, {1, 2}, {2, 3}, {3, 0}, {4, 5}, {5, 6}, {6, 7}, {7, 4}, {0, 4}, {1, 5}, {2, 6}, {3, 7}}};
+
+/// The axes, then the diagonals of a cube, both ways.
+std::array<Vector, 14> search_directions() {
+  std::array<Vector, 14> result{};
+  for (std::size_t k = 0; k < 6; ++k) result[k][k / 2] = k % 2 == 0 ? 1 : -1;
+  const double part = 1 / std::sqrt(3.0);
+  for (std::size_t k = 0; k < 8; ++k)
+    for (std::size_t c = 0; c < 3; ++c) result[6 + k][c] = (k >> c & 1U) != 0 ? part : -part;
+  return result;
+}
+
+class Smoother {
+public:
+  Smoother(HexMesh& mesh, const SmoothOptions& options)
+      : mesh_(mesh), options_(options), around_(mesh.points.size()), directions_(search_directions()) {
+    for (int h = 0; h < static_cast<int>(mesh.hexahedra.size()); ++h)
+      for (int c = 0; c < 8; ++c) around_[mesh.hexahedra[h][c]].push_back({h, c});
+  }
+
+  /// Whether the point has moved.
+  bool improve(int v) {
+    const std::vector<Corner>& around = around_[v];
+    if (around.empty()) return false;
+    const Neighbors near = neighbors(v);
+    const double before = worst(v);
+    const Vector to_middle = difference(near.middle, mesh_.points[v]);
+    double now = before;
+    for (const double part : {1.0, 0.5})
+      if (try_step(v, times(part, to_middle), now)) break;
+    if (now < options_.search_below) search(v, near.mean_length, now);
+    return now > before;
+  }
+
+private:
+  struct Corner {
+    int hexahedron = 0;
+    int corner = 0;
+  };
+  struct Neighbors {
+    Vector middle{};
+    double mean_length = 0;
+  };
+
+  /// Along edges; those of several hexahedra count as often.
+  Neighbors neighbors(int v) const {
+    Neighbors result;
+    int count = 0;
+    for (const auto& [h, corner] : around_[v])
+      for (const auto& [i, j] : hex_edges) {
+        if (i != corner && j != corner) continue;
+        const Vector& other = mesh_.points[mesh_.hexahedra[h][i == corner ? j : i]];
+        result.middle = sum(result.middle, other);
+        result.mean_length += norm(difference(other, mesh_.points[v]));
+        ++count;
+      }
+    result.middle = times(1.0 / count, result.middle);
+    result.mean_length /= count;
+    return result;
+  }
+
+  double worst(int v) const {
+    double least = 1;
+    for (const auto& [h, corner] : around_[v]) least = std::min(least, scaled_jacobian(mesh_.corners(h)));
+    return least;
+  }
+
+  /// Moves the point if the worst around becomes better, and says so.
+  bool try_step(int v, const Vector& step, double& now) {
+    const Point before = mesh_.points[v];
+    mesh_.points[v] = sum(before, step);
+    const double there = worst(v);
+    if (there > now + options_.least_gain) {
+      now = there;
+      return true;
+    }
+    mesh_.points[v] = before;
+    return false;
+  }
+
+  void search(int v, double length, double& now) {
+    constexpr int halvings = 6;
+    constexpr int most_steps = 8;
+    double step = length / 4;
+    for (int halving = 0; halving < halvings; ++halving, step /= 2)
+      for (int k = 0; k < most_steps; ++k) {
+        bool moved = false;
+        for (const Vector& direction : directions_) moved |= try_step(v, times(step, direction), now);
+        if (!moved) break;
+      }
+  }
+
+  HexMesh& mesh_;
+  const SmoothOptions& options_;
+  std::vector<std::vector<Corner>> around_; ///< of each point
+  std::array<Vector, 14> directions_;
+};
+
+} // namespace
+
+Smoothed smooth(HexMesh& mesh, const std::vector<char>& fixed, const SmoothOptions& options,
+                const Progress& progress) {
+  if (fixed.size() != mesh.points.size())
+    throw PreconditionError("smooth: of each point must be told whether it is fixed");
+  Smoothed result;
+  const HexQuality before = quality(mesh);
+  result.minimum_before = before.minimum;
+  result.bad_before = static_cast<int>(before.bad.size());
+  std::vector<char> has_moved(fixed.size(), 0);
+  Smoother smoother(mesh, options);
+  for (bool moving = true; moving && result.sweeps < options.most_sweeps; ++result.sweeps) {
+    moving = false;
+    for (std::size_t v = 0; v < fixed.size(); ++v) {
+      if (v % 1024 == 0) progress.step("smoothing", result.sweeps / static_cast<double>(options.most_sweeps));
+      if (fixed[v] != 0 || !smoother.improve(static_cast<int>(v))) continue;
+      has_moved[v] = 1;
+      moving = true;
+    }
+  }
+  const HexQuality after = quality(mesh);
+  result.minimum_after = after.minimum;
+  result.bad_after = static_cast<int>(after.bad.size());
+  result.moved = static_cast<int>(std::count(has_moved.begin(), has_moved.end(), 1));
+  return result;
+}
+
+} // namespace tetrarch::product
