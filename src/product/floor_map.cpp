@@ -3,6 +3,7 @@
 
 #include "tetrarch/core/error.hpp"
 #include "tetrarch/mesh/boundary_loops.hpp"
+#include "tetrarch/mesh/laplacian.hpp"
 #include "tetrarch/slit/circular_map.hpp"
 #include "tetrarch/slit/quality.hpp"
 #include "tetrarch/slit/ricci.hpp"
@@ -99,18 +100,11 @@ std::vector<int> vertices_of(const mesh::Surface& surface, const BoundaryLoop& l
   return vertices;
 }
 
-/// pi less the angles of the floor at each vertex.
-std::vector<double> turns(const mesh::TriangleMesh& mesh) {
-  std::vector<double> turn(mesh.points.size(), std::numbers::pi);
-  for (const auto& corners : mesh.surface.triangles())
-    for (int c = 0; c < 3; ++c) {
-      const auto at = Eigen::Vector3d::Map(mesh.points[corners[c]].data());
-      const Eigen::Vector3d a = Eigen::Vector3d::Map(mesh.points[corners[(c + 1) % 3]].data()) - at;
-      const Eigen::Vector3d b = Eigen::Vector3d::Map(mesh.points[corners[(c + 2) % 3]].data()) - at;
-      turn[corners[c]] -= std::atan2(a.cross(b).norm(), a.dot(b));
-    }
-  return turn;
-}
+/// A loop of the floor, seen in the plane.
+struct Rim {
+  std::vector<int> vertex;    ///< in the order of walking, the floor to the left
+  std::vector<Complex> place; ///< of each
+};
 
 /// The floor's shadow in the plane of its area vector: x along the principal axis of the rim. None where the
 /// shadow is much smaller than the floor, which is then no plate.
@@ -142,46 +136,82 @@ std::optional<std::vector<Complex>> shadow(const mesh::TriangleMesh& mesh, const
   return places;
 }
 
-/// Four places on the loop of vertices, in its order: where it has just four corners, these; else its extreme
-/// points in the diagonal directions.
-std::array<int, 4> corners_of(const std::vector<int>& loop, const std::vector<double>& turn, int sign,
-                              const std::vector<Complex>& place) {
-  constexpr double sharp = std::numbers::pi / 4;
-  std::vector<int> corners;
-  for (int k = 0; k < static_cast<int>(loop.size()); ++k)
-    if (sign * turn[loop[k]] > sharp) corners.push_back(k);
-  std::array<int, 4> found{};
-  if (corners.size() == 4) {
-    std::copy(corners.begin(), corners.end(), found.begin());
-    return found;
-  }
-  Complex low = place[loop[0]];
-  Complex high = low;
-  for (const int v : loop) {
-    low = {std::min(low.real(), place[v].real()), std::min(low.imag(), place[v].imag())};
-    high = {std::max(high.real(), place[v].real()), std::max(high.imag(), place[v].imag())};
-  }
-  const Complex size = high - low;
-  for (int d = 0; d < 4; ++d) {
-    const std::array<double, 2> way{d == 0 || d == 3 ? -1.0 : 1.0, d < 2 ? -1.0 : 1.0};
-    const auto reach = [&](int v) {
-      return way[0] * place[v].real() / size.real() + way[1] * place[v].imag() / size.imag();
+/// How far the rim turns to the left within a part of its length on either side of each of its vertices.
+std::vector<double> turns(const Rim& rim) {
+  const int size = static_cast<int>(rim.vertex.size());
+  const auto at = [&](int k) { return rim.place[static_cast<std::size_t>((k + size) % size)]; };
+  double length = 0;
+  for (int k = 0; k < size; ++k) length += std::abs(at(k + 1) - at(k));
+  // Jagged rims turn at each vertex; corners turn on the whole.
+  const double near = length / 40;
+  std::vector<double> turn;
+  turn.reserve(rim.vertex.size());
+  for (int k = 0; k < size; ++k) {
+    const auto direction = [&](int step) {
+      int j = step;
+      while (std::abs(j) < size / 4 && std::abs(at(k + j) - at(k)) < near) j += step;
+      return at(k + j) - at(k);
     };
-    found[d] = static_cast<int>(
-        std::max_element(loop.begin(), loop.end(), [&](int a, int b) { return reach(a) < reach(b); }) -
-        loop.begin());
+    turn.push_back(std::arg(direction(1) / -direction(-1)));
   }
-  std::sort(found.begin(), found.end());
-  return found;
+  return turn;
 }
 
-/// Whether no two corners are the same or neighbours.
-bool are_apart(const std::array<int, 4>& corners, std::size_t size) {
-  for (int c = 0; c < 4; ++c) {
-    const int gap = c < 3 ? corners[c + 1] - corners[c] : corners[0] + static_cast<int>(size) - corners[3];
-    if (gap < 2) return false;
+/// How far apart, in vertices, the nearest two of four increasing places of a cycle are.
+int least_gap(const std::array<int, 4>& places, int size) {
+  int gap = places[0] + size - places[3];
+  for (int c = 0; c < 3; ++c) gap = std::min(gap, places[c + 1] - places[c]);
+  return gap;
+}
+
+/// The four places of the rim that turn most to the left, each where it turns more than its neighbours; of
+/// equal ones those farthest apart. None where there are no four.
+std::optional<std::array<int, 4>> sharp_corners(const Rim& rim) {
+  constexpr double least_turn = std::numbers::pi / 6;
+  constexpr std::size_t most_candidates = 24; // with more, the rim is jagged
+  const std::vector<double> turn = turns(rim);
+  const int size = static_cast<int>(turn.size());
+  std::vector<int> candidates;
+  for (int k = 0; k < size; ++k) {
+    const double before = turn[(k + size - 1) % size];
+    const double after = turn[(k + 1) % size];
+    if (turn[k] > least_turn && turn[k] >= before && turn[k] > after) candidates.push_back(k);
   }
-  return true;
+  if (candidates.size() > most_candidates) return std::nullopt;
+  const auto gain = [&](int k) { return std::min(turn[candidates[k]], std::numbers::pi / 2); };
+  std::optional<std::array<int, 4>> best;
+  double best_score = 0;
+  const int count = static_cast<int>(candidates.size());
+  for (int a = 0; a < count; ++a)
+    for (int b = a + 1; b < count; ++b)
+      for (int c = b + 1; c < count; ++c)
+        for (int d = c + 1; d < count; ++d) {
+          const std::array<int, 4> corners{candidates[a], candidates[b], candidates[c], candidates[d]};
+          const double spread = 4.0 * least_gap(corners, size) / size;
+          const double score = gain(a) + gain(b) + gain(c) + gain(d) + spread;
+          if (least_gap(corners, size) < 2 || score <= best_score) continue;
+          best = corners;
+          best_score = score;
+        }
+  return best;
+}
+
+/// The places farthest in the four diagonal directions, if they are apart, else places in equal steps.
+std::array<int, 4> extreme_corners(const Rim& rim) {
+  const int size = static_cast<int>(rim.vertex.size());
+  const auto along = [](Complex direction, Complex z) { return (std::conj(direction) * z).real(); };
+  std::array<int, 4> corners{};
+  for (int d = 0; d < 4; ++d) {
+    const Complex way(d == 0 || d == 3 ? -1 : 1, d < 2 ? -1 : 1);
+    corners[d] = static_cast<int>(
+        std::max_element(rim.place.begin(), rim.place.end(),
+                         [&](Complex p, Complex q) { return along(way, p) < along(way, q); }) -
+        rim.place.begin());
+  }
+  std::sort(corners.begin(), corners.end());
+  if (least_gap(corners, size) < 2)
+    for (int c = 0; c < 4; ++c) corners[c] = c * size / 4;
+  return corners;
 }
 
 /// The same corners from the one on that lies lowest to the left.
@@ -205,31 +235,75 @@ std::array<int, 4> given_corners(const FloorMap& floor, const std::array<int, 4>
   return inside;
 }
 
-/// Four vertices of each loop, walls in their order. Of floors that are no plates, their circular map tells
-/// where the corners are.
+Rim rim_of(const FloorMap& floor, const BoundaryLoop& loop, const std::vector<Complex>& place) {
+  Rim rim{vertices_of(floor.mesh.surface, loop), {}};
+  rim.place.reserve(rim.vertex.size());
+  for (const int v : rim.vertex) rim.place.push_back(place[v]);
+  return rim;
+}
+
+/// Of the outer rim. Of floors that are no plates, their circular map tells how it lies.
+std::array<int, 4> outer_corners(FloorMap& floor, const std::vector<BoundaryLoop>& loops,
+                                 const std::vector<int>& loop_of_wall, const Progress& progress) {
+  const BoundaryLoop& outer = loops[loop_of_wall[0]];
+  auto place = shadow(floor.mesh, vertices_of(floor.mesh.surface, outer));
+  if (!place) {
+    map_to_circles(floor, loops, loop_of_wall, progress);
+    place = floor.position;
+  }
+  const Rim rim = rim_of(floor, outer, *place);
+  std::array<int, 4> corners = sharp_corners(rim).value_or(extreme_corners(rim));
+  for (int& c : corners) c = rim.vertex[c];
+  return from_lower_left(corners, *place);
+}
+
+/// A rectangle without regard to the holes: x is harmonic between the left and the right side, y between the
+/// lower and the upper one, and nothing flows out anywhere else.
+std::vector<Complex> rough_rectangle(const FloorMap& floor, const BoundaryLoop& outer,
+                                     const std::array<int, 4>& corners) {
+  const std::vector<int> rim = vertices_of(floor.mesh.surface, outer);
+  const std::vector<double> weight = mesh::half_cotangents(floor.mesh);
+  const auto harmonic = [&](int low, int high) { // sides: 0 is the lower one, from corner 0 to corner 1
+    std::vector<char> held(floor.mesh.points.size(), 0);
+    std::vector<double> data(floor.mesh.points.size(), 0.0);
+    for (const int side : {low, high}) {
+      auto k = std::find(rim.begin(), rim.end(), corners[side]);
+      for (bool last = false; !last;) {
+        held[*k] = 1;
+        data[*k] = side == high ? 1 : 0;
+        last = *k == corners[(side + 1) % 4];
+        if (++k == rim.end()) k = rim.begin();
+      }
+    }
+    return mesh::LaplaceSolver(floor.mesh.surface, weight, held).solve({data}).front();
+  };
+  const std::vector<double> x = harmonic(3, 1);
+  const std::vector<double> y = harmonic(0, 2);
+  std::vector<Complex> place;
+  place.reserve(x.size());
+  for (std::size_t v = 0; v < x.size(); ++v) place.emplace_back(x[v], y[v]);
+  return place;
+}
+
+/// Four vertices of each loop, walls in their order.
 std::vector<std::array<int, 4>> corner_hints(FloorMap& floor, const std::vector<BoundaryLoop>& loops,
                                              const std::vector<int>& loop_of_wall,
                                              const std::array<int, 4>& given, const Progress& progress) {
-  const mesh::Surface& surface = floor.mesh.surface;
-  const std::vector<double> turn = turns(floor.mesh);
-  const auto places = shadow(floor.mesh, vertices_of(surface, loops[loop_of_wall[0]]));
-  if (!places) map_to_circles(floor, loops, loop_of_wall, progress);
-  const std::vector<Complex>& place = places ? *places : floor.position;
-  std::vector<std::array<int, 4>> hints;
-  for (std::size_t wall = 0; wall < loops.size(); ++wall) {
-    const std::vector<int> loop = vertices_of(surface, loops[loop_of_wall[wall]]);
-    if (loop.size() < 8)
+  for (std::size_t wall = 0; wall < loops.size(); ++wall)
+    if (loops[loop_of_wall[wall]].sides.size() < 8)
       throw InputError("the rim of wall " + std::to_string(wall) + " on the floor has " +
-                       std::to_string(loop.size()) + " edges; a rectangle needs at least 8");
-    std::array<int, 4> corners = corners_of(loop, turn, wall == 0 ? 1 : -1, place);
-    for (int c = 0; c < 4 && !are_apart(corners, loop.size()); ++c)
-      corners[c] = c * static_cast<int>(loop.size()) / 4;
-    if (!are_apart(corners, loop.size()))
-      for (int c = 0; c < 4; ++c) corners[c] = c * static_cast<int>(loop.size()) / 4;
-    for (int& c : corners) c = loop[c];
+                       std::to_string(loops[loop_of_wall[wall]].sides.size()) +
+                       " edges; a rectangle needs at least 8");
+  std::vector<std::array<int, 4>> hints{given[0] >= 0 ? given_corners(floor, given)
+                                                      : outer_corners(floor, loops, loop_of_wall, progress)};
+  if (loops.size() == 1) return hints;
+  const std::vector<Complex> place = rough_rectangle(floor, loops[loop_of_wall[0]], hints.front());
+  for (std::size_t wall = 1; wall < loops.size(); ++wall) {
+    const Rim rim = rim_of(floor, loops[loop_of_wall[wall]], place);
+    std::array<int, 4> corners = extreme_corners(rim);
+    for (int& c : corners) c = rim.vertex[c];
     hints.push_back(from_lower_left(corners, place));
   }
-  if (given[0] >= 0) hints[0] = given_corners(floor, given);
   return hints;
 }
 
