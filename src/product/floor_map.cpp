@@ -196,13 +196,14 @@ std::optional<std::array<int, 4>> sharp_corners(const Rim& rim) {
   return best;
 }
 
-/// The places farthest in the four diagonal directions, if they are apart, else places in equal steps.
-std::array<int, 4> extreme_corners(const Rim& rim) {
+/// The places farthest in the four diagonal directions of a frame whose x axis has direction `x`, if they are
+/// apart, else places in equal steps.
+std::array<int, 4> extreme_corners(const Rim& rim, Complex x) {
   const int size = static_cast<int>(rim.vertex.size());
   const auto along = [](Complex direction, Complex z) { return (std::conj(direction) * z).real(); };
   std::array<int, 4> corners{};
   for (int d = 0; d < 4; ++d) {
-    const Complex way(d == 0 || d == 3 ? -1 : 1, d < 2 ? -1 : 1);
+    const Complex way = x * Complex(d == 0 || d == 3 ? -1 : 1, d < 2 ? -1 : 1);
     corners[d] = static_cast<int>(
         std::max_element(rim.place.begin(), rim.place.end(),
                          [&](Complex p, Complex q) { return along(way, p) < along(way, q); }) -
@@ -214,9 +215,9 @@ std::array<int, 4> extreme_corners(const Rim& rim) {
   return corners;
 }
 
-/// The same corners from the one on that lies lowest to the left.
-std::array<int, 4> from_lower_left(std::array<int, 4> corners, const std::vector<Complex>& place) {
-  const auto height = [&](int v) { return place[v].real() + place[v].imag(); };
+/// The same corners from the one on that lies lowest to the left in that frame.
+std::array<int, 4> from_lower_left(std::array<int, 4> corners, const std::vector<Complex>& place, Complex x) {
+  const auto height = [&](int v) { return (place[v] * std::conj(x) * Complex(1, -1)).real(); };
   const auto first =
       std::min_element(corners.begin(), corners.end(), [&](int a, int b) { return height(a) < height(b); });
   std::rotate(corners.begin(), first, corners.end());
@@ -242,25 +243,18 @@ Rim rim_of(const FloorMap& floor, const BoundaryLoop& loop, const std::vector<Co
   return rim;
 }
 
-/// Of the outer rim. Of floors that are no plates, their circular map tells how it lies.
-std::array<int, 4> outer_corners(FloorMap& floor, const std::vector<BoundaryLoop>& loops,
-                                 const std::vector<int>& loop_of_wall, const Progress& progress) {
-  const BoundaryLoop& outer = loops[loop_of_wall[0]];
-  auto place = shadow(floor.mesh, vertices_of(floor.mesh.surface, outer));
-  if (!place) {
-    map_to_circles(floor, loops, loop_of_wall, progress);
-    place = floor.position;
-  }
-  const Rim rim = rim_of(floor, outer, *place);
-  std::array<int, 4> corners = sharp_corners(rim).value_or(extreme_corners(rim));
+std::array<int, 4> outer_corners(const FloorMap& floor, const BoundaryLoop& outer,
+                                 const std::vector<Complex>& place) {
+  const Rim rim = rim_of(floor, outer, place);
+  std::array<int, 4> corners = sharp_corners(rim).value_or(extreme_corners(rim, 1));
   for (int& c : corners) c = rim.vertex[c];
-  return from_lower_left(corners, *place);
+  return from_lower_left(corners, place, 1);
 }
 
 /// A rectangle without regard to the holes: x is harmonic between the left and the right side, y between the
 /// lower and the upper one, and nothing flows out anywhere else.
-std::vector<Complex> rough_rectangle(const FloorMap& floor, const BoundaryLoop& outer,
-                                     const std::array<int, 4>& corners) {
+std::array<std::vector<double>, 2> rough_rectangle(const FloorMap& floor, const BoundaryLoop& outer,
+                                                   const std::array<int, 4>& corners) {
   const std::vector<int> rim = vertices_of(floor.mesh.surface, outer);
   const std::vector<double> weight = mesh::half_cotangents(floor.mesh);
   const auto harmonic = [&](int low, int high) { // sides: 0 is the lower one, from corner 0 to corner 1
@@ -277,32 +271,80 @@ std::vector<Complex> rough_rectangle(const FloorMap& floor, const BoundaryLoop& 
     }
     return mesh::LaplaceSolver(floor.mesh.surface, weight, held).solve({data}).front();
   };
-  const std::vector<double> x = harmonic(3, 1);
-  const std::vector<double> y = harmonic(0, 2);
-  std::vector<Complex> place;
-  place.reserve(x.size());
-  for (std::size_t v = 0; v < x.size(); ++v) place.emplace_back(x[v], y[v]);
-  return place;
+  return {harmonic(3, 1), harmonic(0, 2)};
+}
+
+/// Of a function that is linear on a triangle with corners at p, as x + iy.
+Complex gradient(const std::array<Complex, 3>& p, const std::array<double, 3>& f) {
+  Complex sum = 0;
+  for (int c = 0; c < 3; ++c) sum += f[c] * (p[(c + 2) % 3] - p[(c + 1) % 3]);
+  const double twice_area = (std::conj(p[1] - p[0]) * (p[2] - p[0])).imag();
+  return Complex(0, 1) * sum / twice_area;
+}
+
+/// The direction in which x grows around a loop: the mean over its triangles, of y turned back, too.
+Complex frame_at(const FloorMap& floor, const std::vector<int>& loop, const std::vector<Complex>& place,
+                 const std::array<std::vector<double>, 2>& rough) {
+  std::vector<char> on_loop(floor.mesh.points.size(), 0);
+  for (const int v : loop) on_loop[v] = 1;
+  Complex sum = 0;
+  for (const auto& corners : floor.mesh.surface.triangles()) {
+    if (!on_loop[corners[0]] && !on_loop[corners[1]] && !on_loop[corners[2]]) continue;
+    std::array<Complex, 3> p;
+    for (int c = 0; c < 3; ++c) p[c] = place[corners[c]];
+    const double area = std::abs((std::conj(p[1] - p[0]) * (p[2] - p[0])).imag());
+    for (int k = 0; k < 2; ++k) {
+      const std::vector<double>& f = rough[k];
+      const Complex g = gradient(p, {f[corners[0]], f[corners[1]], f[corners[2]]});
+      if (std::isfinite(std::abs(g)) && std::abs(g) > 0)
+        sum += area * g / std::abs(g) * (k == 0 ? Complex(1) : Complex(0, -1));
+    }
+  }
+  return std::abs(sum) > 0 ? sum / std::abs(sum) : Complex(1);
 }
 
 /// Four vertices of each loop, walls in their order.
-std::vector<std::array<int, 4>> corner_hints(FloorMap& floor, const std::vector<BoundaryLoop>& loops,
-                                             const std::vector<int>& loop_of_wall,
-                                             const std::array<int, 4>& given, const Progress& progress) {
+using CornerHints = std::vector<std::array<int, 4>>;
+
+void require_long_rims(const std::vector<BoundaryLoop>& loops, const std::vector<int>& loop_of_wall) {
   for (std::size_t wall = 0; wall < loops.size(); ++wall)
     if (loops[loop_of_wall[wall]].sides.size() < 8)
       throw InputError("the rim of wall " + std::to_string(wall) + " on the floor has " +
                        std::to_string(loops[loop_of_wall[wall]].sides.size()) +
                        " edges; a rectangle needs at least 8");
-  std::vector<std::array<int, 4>> hints{given[0] >= 0 ? given_corners(floor, given)
-                                                      : outer_corners(floor, loops, loop_of_wall, progress)};
-  if (loops.size() == 1) return hints;
-  const std::vector<Complex> place = rough_rectangle(floor, loops[loop_of_wall[0]], hints.front());
-  for (std::size_t wall = 1; wall < loops.size(); ++wall) {
-    const Rim rim = rim_of(floor, loops[loop_of_wall[wall]], place);
-    std::array<int, 4> corners = extreme_corners(rim);
+}
+
+/// Two guesses, since the search ends well only near the solution: each hole's extreme points as it lies, in
+/// the frame that the rough rectangle has there; and those of its image in the rough rectangle, which is
+/// better where the frame turns within the size of the hole. Of floors that are no plates, their circular map
+/// tells how they lie.
+std::vector<CornerHints> guesses(FloorMap& floor, const std::vector<BoundaryLoop>& loops,
+                                 const std::vector<int>& loop_of_wall, const std::array<int, 4>& given,
+                                 const Progress& progress) {
+  const BoundaryLoop& outer = loops[loop_of_wall[0]];
+  auto place = shadow(floor.mesh, vertices_of(floor.mesh.surface, outer));
+  if (!place) {
+    map_to_circles(floor, loops, loop_of_wall, progress);
+    place = floor.position;
+  }
+  const CornerHints start{given[0] >= 0 ? given_corners(floor, given) : outer_corners(floor, outer, *place)};
+  if (loops.size() == 1) return {start};
+  const auto rough = rough_rectangle(floor, outer, start.front());
+  std::vector<Complex> image;
+  image.reserve(place->size());
+  for (std::size_t v = 0; v < place->size(); ++v) image.emplace_back(rough[0][v], rough[1][v]);
+
+  std::vector<CornerHints> hints(2, start);
+  const auto add = [&](CornerHints& list, const Rim& rim, const std::vector<Complex>& at, Complex x) {
+    std::array<int, 4> corners = extreme_corners(rim, x);
     for (int& c : corners) c = rim.vertex[c];
-    hints.push_back(from_lower_left(corners, place));
+    list.push_back(from_lower_left(corners, at, x));
+  };
+  for (std::size_t wall = 1; wall < loops.size(); ++wall) {
+    const BoundaryLoop& loop = loops[loop_of_wall[wall]];
+    const Rim rim = rim_of(floor, loop, *place);
+    add(hints[0], rim, *place, frame_at(floor, rim.vertex, *place, rough));
+    add(hints[1], rim_of(floor, loop, image), image, 1);
   }
   return hints;
 }
@@ -310,8 +352,13 @@ std::vector<std::array<int, 4>> corner_hints(FloorMap& floor, const std::vector<
 void map_to_rectangles(FloorMap& floor, const std::vector<BoundaryLoop>& loops,
                        const std::vector<int>& loop_of_wall, const std::array<int, 4>& corners,
                        const Progress& progress) {
-  const slit::RicciRectangles found = slit::ricci_rectangles(
-      floor.mesh, corner_hints(floor, loops, loop_of_wall, corners, progress), {}, progress.silent());
+  require_long_rims(loops, loop_of_wall);
+  slit::RicciRectangles found;
+  for (const CornerHints& hints : guesses(floor, loops, loop_of_wall, corners, progress)) {
+    progress.step("floor");
+    found = slit::ricci_rectangles(floor.mesh, hints, {}, progress.silent());
+    if (found.found) break;
+  }
   floor.found = found.found;
   floor.position = found.position;
   floor.height = found.height;
