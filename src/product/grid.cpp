@@ -216,6 +216,31 @@ private:
   std::vector<int> node_; ///< of each crossing of lines
 };
 
+FloorGrid made(double height, const std::vector<Rectangle>& holes, const GridOptions& options) {
+  // Holes beside each other keep a gap. Those that are apart vertically may share a vertical line; if they do
+  // not, they may share a horizontal one.
+  Lines across = lines(1, holes, 0, options,
+                       [&](int j, int k) { return side_of(holes[j], 1).meets(side_of(holes[k], 1)); });
+  Lines up =
+      lines(height, holes, 1, options, [&](int j, int k) { return across.holes[j].meets(across.holes[k]); });
+  if (static_cast<double>(across.at.size()) * static_cast<double>(up.at.size()) > most_cells)
+    throw InputError("the floor's grid would have too many cells");
+  return Maker(std::move(across), std::move(up), holes).make();
+}
+
+/// Whether all angles of cells are between 30 and 150 degrees, in spite of bends.
+bool has_shape(const FloorGrid& grid) {
+  constexpr double least_sine = 0.5;
+  for (const auto& cell : grid.cells)
+    for (std::size_t c = 0; c < 4; ++c) {
+      const Complex at = grid.nodes[cell[c]].position;
+      const Complex next = grid.nodes[cell[(c + 1) % 4]].position - at;
+      const Complex last = grid.nodes[cell[(c + 3) % 4]].position - at;
+      if (!((std::conj(next) * last).imag() > least_sine * std::abs(next) * std::abs(last))) return false;
+    }
+  return true;
+}
+
 /// A point of a triangle of the floor as one of the solid's boundary.
 FloorPoint on_solid(const Solid& solid, const FloorMap& floor, int triangle,
                     const std::array<double, 3>& weight, double miss) {
@@ -285,15 +310,11 @@ FloorGrid floor_grid(double height, const std::vector<Rectangle>& holes, const G
     throw PreconditionError("floor_grid: lines are shared within less than half a cell");
   if (!(height > 0 && std::isfinite(height))) throw InputError("the floor's rectangle has no height");
   require_disjoint(height, holes);
-  // Holes beside each other keep a gap. Those that are apart vertically may share a vertical line; if they do
-  // not, they may share a horizontal one.
-  Lines across = lines(1, holes, 0, options,
-                       [&](int j, int k) { return side_of(holes[j], 1).meets(side_of(holes[k], 1)); });
-  Lines up =
-      lines(height, holes, 1, options, [&](int j, int k) { return across.holes[j].meets(across.holes[k]); });
-  if (static_cast<double>(across.at.size()) * static_cast<double>(up.at.size()) > most_cells)
-    throw InputError("the floor's grid would have too many cells");
-  return Maker(std::move(across), std::move(up), holes).make();
+  GridOptions fewer = options;
+  for (FloorGrid grid = made(height, holes, fewer);; grid = made(height, holes, fewer)) {
+    if (fewer.shared == 0 || has_shape(grid)) return grid;
+    fewer.shared = fewer.shared > 0.01 ? fewer.shared / 2 : 0;
+  }
 }
 
 std::vector<FloorPoint> nodes_on_floor(const Solid& solid, const FloorMap& floor, const FloorGrid& grid) {

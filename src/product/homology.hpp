@@ -10,7 +10,7 @@
 ///          *---*                the relations. A good mesh of a handlebody needs about as many generators as
 ///                               it has handles.
 
-#include "tetrarch/product/solid.hpp"
+#include "tetrarch/product/partition.hpp"
 
 #include <cstdint>
 #include <vector>
@@ -41,5 +41,9 @@ private:
   std::vector<Element> relations_;
   int generators_ = 0;
 };
+
+/// As the public one, for a homology at hand; not checked against it if there is none.
+Partition partition(const Solid& solid, const std::vector<int>& base, int outer,
+                    const FirstHomology* homology);
 
 } // namespace tetrarch::product

@@ -123,9 +123,7 @@ void require_bases(const Solid& solid, const Pieces& pieces) {
 }
 
 /// In a product the loops around the holes of the floor are a basis of the homology.
-void require_homology(const Solid& solid, const Pieces& pieces) {
-  if (genus(solid) == 0) return;
-  const FirstHomology homology(solid);
+void require_homology(const Solid& solid, const Pieces& pieces, const FirstHomology& homology) {
   std::vector<FirstHomology::Element> loops;
   int at = -1;
   for (int k = 0; k < pieces.parts.count; ++k) {
@@ -197,14 +195,15 @@ std::vector<Wall> walls_of(const Solid& solid, const Pieces& pieces, int outer) 
 
 } // namespace
 
-Partition partition(const Solid& solid, const std::vector<int>& base, int outer) {
+Partition partition(const Solid& solid, const std::vector<int>& base, int outer,
+                    const FirstHomology* homology) {
   require_proper(solid, base, outer);
   const Pieces pieces = pieces_of(solid, base);
   require_connected_bases(solid, pieces);
   require_clean_vertices(solid, pieces);
   require_bases(solid, pieces);
   const std::vector<Wall> walls = walls_of(solid, pieces, outer);
-  require_homology(solid, pieces);
+  if (homology != nullptr) require_homology(solid, pieces, *homology);
 
   std::vector<int> patch(pieces.base);
   for (std::size_t i = 0; i < walls.size(); ++i) patch[walls[i].piece] = first_wall + static_cast<int>(i);
@@ -212,6 +211,14 @@ Partition partition(const Solid& solid, const std::vector<int>& base, int outer)
   result.patch.reserve(base.size());
   for (const int k : pieces.parts.of) result.patch.push_back(patch[k]);
   return result;
+}
+
+Partition partition(const Solid& solid, const std::vector<int>& base, int outer) {
+  // First all that is cheaper.
+  Partition result = partition(solid, base, outer, nullptr);
+  if (result.holes() == 0) return result;
+  const FirstHomology homology(solid);
+  return partition(solid, base, outer, &homology);
 }
 
 } // namespace tetrarch::product

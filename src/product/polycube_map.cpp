@@ -18,10 +18,10 @@ namespace {
 
 /// A solid with its fibres. Not to be moved: the fibres keep references.
 struct Fibered {
-  Fibered(const Solid& solid, const Partition& partition, const Progress& progress)
+  Fibered(const Solid& solid, const Partition& partition, Direction direction, const Progress& progress)
       : ready(prepared(solid, partition)),
         field(ready.solid, ready.partition,
-              harmonic_field(ready.solid, ready.partition, {}, progress.silent()).w) {}
+              harmonic_field(ready.solid, ready.partition, {}, progress.silent()).w, direction) {}
   Fibered(const Fibered&) = delete;
   Fibered& operator=(const Fibered&) = delete;
   ~Fibered() = default;
@@ -212,8 +212,8 @@ PolycubeHexahedra polycube_hexahedra(const Solid& solid, const std::vector<Point
   require_rims(all, solid.boundary, at, base, base_of_cubes, squares / 2);
 
   progress.step("fields");
-  const Fibered from(cubes, partition(cubes, base_of_cubes), progress);
-  const Fibered to(solid, partition_of_solid, progress);
+  const Fibered from(cubes, partition(cubes, base_of_cubes), options.direction, progress);
+  const Fibered to(solid, partition_of_solid, options.direction, progress);
   const Feet feet(solid, at, facing, base, to.ready, options.step);
   const std::vector<int> vertex = vertices_at(result.cubes.points, cubes.mesh.points, fine.edge);
   std::vector<Image> images(vertex.size());

@@ -26,6 +26,9 @@ std::array<Vector, 14> search_directions() {
   return result;
 }
 
+/// While there are bad hexahedra, others are good enough from here on.
+constexpr double untangled = 0.2;
+
 class Smoother {
 public:
   Smoother(HexMesh& mesh, const SmoothOptions& options)
@@ -34,17 +37,24 @@ public:
       for (int c = 0; c < 8; ++c) around_[mesh.hexahedra[h][c]].push_back({h, c});
   }
 
+  /// While there are bad hexahedra: lowest is the least scaled Jacobian of all.
+  void untangle(double lowest) {
+    is_tangled_ = true;
+    lowest_ = lowest;
+  }
+  void polish() { is_tangled_ = false; }
+
   /// Whether the point has moved.
   bool improve(int v) {
-    const std::vector<Corner>& around = around_[v];
-    if (around.empty()) return false;
+    if (around_[v].empty()) return false;
+    const double before = score(v);
+    if (is_tangled_ && before == 0) return false;
     const Neighbors near = neighbors(v);
-    const double before = worst(v);
     const Vector to_middle = difference(near.middle, mesh_.points[v]);
     double now = before;
     for (const double part : {1.0, 0.5})
       if (try_step(v, times(part, to_middle), now)) break;
-    if (now < options_.search_below) search(v, near.mean_length, now);
+    if (now < (is_tangled_ ? 0 : options_.search_below)) search(v, near.mean_length, now);
     return now > before;
   }
 
@@ -75,17 +85,25 @@ private:
     return result;
   }
 
-  double worst(int v) const {
+  /// The worst around a point; among tangled hexahedra, minus all that is lacking around it, or a hopeless
+  /// value where one becomes worse than the worst of all.
+  double score(int v) const {
     double least = 1;
-    for (const auto& [h, corner] : around_[v]) least = std::min(least, scaled_jacobian(mesh_.corners(h)));
-    return least;
+    double lacking = 0;
+    for (const auto& [h, corner] : around_[v]) {
+      const double j = scaled_jacobian(mesh_.corners(h));
+      least = std::min(least, j);
+      lacking += std::max(0.0, untangled - j);
+    }
+    if (!is_tangled_) return least;
+    return least < lowest_ ? -9.0 * static_cast<double>(around_[v].size()) : -lacking;
   }
 
   /// Moves the point if the worst around becomes better, and says so.
   bool try_step(int v, const Vector& step, double& now) {
     const Point before = mesh_.points[v];
     mesh_.points[v] = sum(before, step);
-    const double there = worst(v);
+    const double there = score(v);
     if (there > now + options_.least_gain) {
       now = there;
       return true;
@@ -108,6 +126,8 @@ private:
 
   HexMesh& mesh_;
   const SmoothOptions& options_;
+  bool is_tangled_ = false;
+  double lowest_ = -1;
   std::vector<std::vector<Corner>> around_; ///< of each point
   std::array<Vector, 14> directions_;
 };
@@ -126,6 +146,11 @@ Smoothed smooth(HexMesh& mesh, const std::vector<char>& fixed, const SmoothOptio
   Smoother smoother(mesh, options);
   for (bool moving = true; moving && result.sweeps < options.most_sweeps; ++result.sweeps) {
     moving = false;
+    const HexQuality now = quality(mesh);
+    if (now.bad.empty())
+      smoother.polish();
+    else
+      smoother.untangle(now.minimum);
     for (std::size_t v = 0; v < fixed.size(); ++v) {
       if (v % 1024 == 0) progress.step("smoothing", result.sweeps / static_cast<double>(options.most_sweeps));
       if (fixed[v] != 0 || !smoother.improve(static_cast<int>(v))) continue;
