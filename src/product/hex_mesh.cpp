@@ -15,8 +15,8 @@ using namespace vectors;
 constexpr std::array<std::array<int, 3>, 8> neighbors{
     {{1, 3, 4}, {2, 0, 5}, {3, 1, 6}, {0, 2, 7}, {7, 5, 0}, {4, 6, 1}, {5, 7, 2}, {6, 4, 3}}};
 
-/// Opposite sides, those of greater coordinate first.
-constexpr std::array<std::array<std::array<int, 4>, 2>, 3> opposite_sides{
+/// Opposite faces, those of greater coordinate first.
+constexpr std::array<std::array<std::array<int, 4>, 2>, 3> opposite_faces{
     {{{{1, 2, 5, 6}, {0, 3, 4, 7}}}, {{{2, 3, 6, 7}, {0, 1, 4, 5}}}, {{{4, 5, 6, 7}, {0, 1, 2, 3}}}}};
 
 double scaled_determinant(const Vector& a, const Vector& b, const Vector& c) {
@@ -36,7 +36,7 @@ double scaled_jacobian(const std::array<Point, 8>& corners) {
   std::array<Vector, 3> axis{};
   for (std::size_t a = 0; a < 3; ++a)
     for (std::size_t c = 0; c < 4; ++c)
-      axis[a] = sum(axis[a], difference(corners[opposite_sides[a][0][c]], corners[opposite_sides[a][1][c]]));
+      axis[a] = sum(axis[a], difference(corners[opposite_faces[a][0][c]], corners[opposite_faces[a][1][c]]));
   double least = scaled_determinant(axis[0], axis[1], axis[2]);
   for (std::size_t c = 0; c < 8; ++c) {
     const auto& [x, y, z] = neighbors[c];

@@ -37,12 +37,11 @@ public:
       for (int c = 0; c < 8; ++c) around_[mesh.hexahedra[h][c]].push_back({h, c});
   }
 
-  /// While there are bad hexahedra: lowest is the least scaled Jacobian of all.
-  void untangle(double lowest) {
-    is_tangled_ = true;
+  /// `lowest`: the least scaled Jacobian of all hexahedra.
+  void set_tangled(bool is_tangled, double lowest) {
+    is_tangled_ = is_tangled;
     lowest_ = lowest;
   }
-  void polish() { is_tangled_ = false; }
 
   /// Whether the point has moved.
   bool improve(int v) {
@@ -144,18 +143,24 @@ Smoothed smooth(HexMesh& mesh, const std::vector<char>& fixed, const SmoothOptio
   result.bad_before = static_cast<int>(before.bad.size());
   std::vector<char> has_moved(fixed.size(), 0);
   Smoother smoother(mesh, options);
+  bool is_tangled = true;
   for (bool moving = true; moving && result.sweeps < options.most_sweeps; ++result.sweeps) {
+    if (is_tangled) {
+      const HexQuality now = quality(mesh);
+      is_tangled = !now.bad.empty();
+      smoother.set_tangled(is_tangled, now.minimum);
+    }
     moving = false;
-    const HexQuality now = quality(mesh);
-    if (now.bad.empty())
-      smoother.polish();
-    else
-      smoother.untangle(now.minimum);
     for (std::size_t v = 0; v < fixed.size(); ++v) {
       if (v % 1024 == 0) progress.step("smoothing", result.sweeps / static_cast<double>(options.most_sweeps));
       if (fixed[v] != 0 || !smoother.improve(static_cast<int>(v))) continue;
       has_moved[v] = 1;
       moving = true;
+    }
+    if (is_tangled && !moving) { // what cannot be untangled stays so
+      is_tangled = false;
+      moving = true;
+      smoother.set_tangled(false, -1);
     }
   }
   const HexQuality after = quality(mesh);

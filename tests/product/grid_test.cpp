@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "tetrarch/product/grid.hpp"
 
+#include "product/floors.hpp"
 #include "product/solids.hpp"
 #include "support/errors.hpp"
 #include "support/random.hpp"
@@ -11,6 +12,7 @@
 
 using namespace tetrarch;
 using namespace tetrarch::product;
+using support::Random;
 using Complex = std::complex<double>;
 using Rectangle = std::array<Complex, 2>;
 
@@ -37,7 +39,8 @@ void require_laws(double height, const std::vector<Rectangle>& holes, const Floo
     rest -= area(grid, cell);
     for (std::size_t c = 0; c < 4; ++c) {
       const Complex at = grid.nodes[cell[c]].position;
-      REQUIRE(cross(grid.nodes[cell[(c + 1) % 4]].position - at, grid.nodes[cell[(c + 3) % 4]].position - at) > 0);
+      REQUIRE(cross(grid.nodes[cell[(c + 1) % 4]].position - at,
+                    grid.nodes[cell[(c + 3) % 4]].position - at) > 0);
     }
   }
   CHECK(std::abs(rest) < 1e-12);
@@ -64,13 +67,13 @@ std::vector<Rectangle> random_holes(int count, Random& random) {
       std::sort(p.begin(), p.end());
       return p;
     };
-    const auto [left, right] = pair();
-    const auto [below, above] = pair();
+    const std::array<double, 2> x = pair();
+    const std::array<double, 2> y = pair();
     const bool meets = std::any_of(holes.begin(), holes.end(), [&](const Rectangle& other) {
-      return left <= other[1].real() && other[0].real() <= right && below <= other[1].imag() &&
-             other[0].imag() <= above;
+      return x[0] <= other[1].real() && other[0].real() <= x[1] && y[0] <= other[1].imag() &&
+             other[0].imag() <= y[1];
     });
-    if (!meets) holes.push_back({Complex(left, below), Complex(right, above)});
+    if (!meets) holes.push_back({Complex(x[0], y[0]), Complex(x[1], y[1])});
   }
   return holes;
 }
@@ -84,7 +87,8 @@ TEST_CASE("A rectangle without holes becomes a plain grid", "[grid]") {
   CHECK(grid.rows == 4);
   CHECK(grid.cells.size() == 32);
   CHECK(grid.nodes.size() == 45);
-  CHECK(std::count_if(grid.nodes.begin(), grid.nodes.end(), [](const GridNode& n) { return n.loop < 0; }) == 21);
+  CHECK(std::count_if(grid.nodes.begin(), grid.nodes.end(), [](const GridNode& n) { return n.loop < 0; }) ==
+        21);
   CHECK(grid.max_stretch == Approx(1).margin(1e-12));
   require_laws(0.5, {}, grid);
 }
@@ -96,7 +100,8 @@ TEST_CASE("A hole whose sides are on lines of the grid leaves the grid as it is"
   CHECK(grid.cells.size() == 58);
   CHECK(grid.nodes.size() == 82);
   CHECK(grid.holes == std::vector<std::array<int, 4>>{{3, 2, 7, 5}});
-  CHECK(std::count_if(grid.nodes.begin(), grid.nodes.end(), [](const GridNode& n) { return n.loop == 1; }) == 14);
+  CHECK(std::count_if(grid.nodes.begin(), grid.nodes.end(), [](const GridNode& n) { return n.loop == 1; }) ==
+        14);
   CHECK(grid.mean_stretch == Approx(1).margin(1e-12));
   require_laws(0.7, holes, grid);
 }
@@ -157,8 +162,10 @@ TEST_CASE("Grids of random floors are grids", "[grid]") {
           const std::array<int, 2> ends{cell[(c + 1) % 4], cell[c]};
           const bool first = c == 1 || c == 2;
           const bool has_other = std::any_of(grid.cells.begin(), grid.cells.end(), [&](const auto& other) {
-            return (other[0] == ends[0] && other[1] == ends[1]) || (other[1] == ends[0] && other[2] == ends[1]) ||
-                   (other[2] == ends[0] && other[3] == ends[1]) || (other[3] == ends[0] && other[0] == ends[1]);
+            return (other[0] == ends[0] && other[1] == ends[1]) ||
+                   (other[1] == ends[0] && other[2] == ends[1]) ||
+                   (other[2] == ends[0] && other[3] == ends[1]) ||
+                   (other[3] == ends[0] && other[0] == ends[1]);
           });
           edges += first || !has_other ? 1 : 0;
         }
@@ -171,7 +178,8 @@ TEST_CASE("Grids of random floors are grids", "[grid]") {
 
 TEST_CASE("Floors that are no rectangles with holes are refused", "[grid]") {
   using Catch::Contains;
-  CHECK_THROWS_WITH(floor_grid(1, {{Complex(0.5, 0.2), Complex(0.5, 0.4)}}), Contains("hole 0") && Contains("empty"));
+  CHECK_THROWS_WITH(floor_grid(1, {{Complex(0.5, 0.2), Complex(0.5, 0.4)}}),
+                    Contains("hole 0") && Contains("empty"));
   CHECK_THROWS_WITH(floor_grid(1, {{Complex(0.5, 0.2), Complex(1.5, 0.4)}}), Contains("does not lie inside"));
   CHECK_THROWS_WITH(
       floor_grid(1, {{Complex(0.2, 0.2), Complex(0.4, 0.4)}, {Complex(0.4, 0.4), Complex(0.6, 0.6)}}),
@@ -185,10 +193,7 @@ TEST_CASE("Nodes lie on the floor where their coordinates are, those of loops on
   const auto plate = support::plate(2, 6, 1, support::Hole::square, 0.5, 0.15);
   const Solid solid = product::solid(plate.mesh);
   const Partition parts = partition(solid, support::bases(solid, plate));
-  FloorOptions options;
-  options.domain = FloorDomain::rectangle;
-  const FloorMap floor = floor_map(solid, parts, options);
-  REQUIRE(floor.found);
+  const FloorMap floor = support::floor_from_plan(solid, parts, plate);
   const FloorGrid grid = floor_grid(floor.height, floor.rectangles, {12});
   const std::vector<FloorPoint> points = nodes_on_floor(solid, floor, grid);
   REQUIRE(points.size() == grid.nodes.size());
@@ -202,7 +207,7 @@ TEST_CASE("Nodes lie on the floor where their coordinates are, those of loops on
       there += points[n].weight[c] * position[v];
       on_rim += points[n].weight[c] == 0 ? 1 : 0;
     }
-    CHECK(points[n].miss < 1e-6);
+    CHECK(points[n].miss < 1e-12);
     CHECK(std::abs(there - grid.nodes[n].position) == Approx(points[n].miss).margin(1e-9));
     if (grid.nodes[n].loop >= 0) CHECK(on_rim >= 1);
   }

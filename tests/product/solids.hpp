@@ -38,71 +38,96 @@ struct PlanarMesh {
 
 enum class Hole : std::uint8_t { round, square };
 
-/// The rectangle [0, columns] x [0, rows] of unit cells, cell (i, j) with a hole in its middle if
-/// j columns + i < holes: of diameter or width 1/2. Each side of a cell has `fine` >= 2 edges; a cell without
-/// a hole is a grid of squares, one with a hole is made of fine/2 rings around it.
-inline PlanarMesh planar_plate(int columns, int rows, int holes, int fine, Hole hole = Hole::round) {
-  PlanarMesh out;
-  out.holes = holes;
-  std::map<std::array<int, 2>, int> on_grid; // of points x, y that are multiples of 1/fine
-  const auto grid_point = [&](int x, int y) {
-    const auto [at, is_new] = on_grid.try_emplace({x, y}, static_cast<int>(out.points.size()));
-    if (is_new) out.points.push_back({1.0 * x / fine, 1.0 * y / fine});
-    return at->second;
-  };
-  const auto add_square = [&](int a, int b, int c, int d) {
-    out.triangles.push_back({a, b, c});
-    out.triangles.push_back({a, c, d});
-  };
-  const auto add_grid = [&](int x0, int y0) {
-    for (int y = y0; y < y0 + fine; ++y)
-      for (int x = x0; x < x0 + fine; ++x)
+namespace detail {
+
+/// Makes a plate cell by cell. Points x, y that are multiples of 1/fine are shared.
+class PlateMaker {
+public:
+  explicit PlateMaker(int fine, Hole hole) : fine_(fine), hole_(hole) {}
+
+  void add_grid(int column, int row) {
+    for (int y = row * fine_; y < (row + 1) * fine_; ++y)
+      for (int x = column * fine_; x < (column + 1) * fine_; ++x)
         add_square(grid_point(x, y), grid_point(x + 1, y), grid_point(x + 1, y + 1), grid_point(x, y + 1));
-  };
-  // The k-th vertex around the cell, counterclockwise from its lower left corner.
-  const auto around = [fine](int k) -> std::array<int, 2> {
-    const int along = k % fine;
-    switch (k / fine % 4) {
-    case 0:
-      return {along, 0};
-    case 1:
-      return {fine, along};
-    case 2:
-      return {fine - along, fine};
-    default:
-      return {0, fine - along};
-    }
-  };
-  const auto add_rings = [&](int x0, int y0) {
-    const int rings = fine / 2;
-    const auto sectors = static_cast<std::size_t>(4 * fine);
+  }
+
+  void add_rings(int column, int row) {
+    const auto sectors = static_cast<std::size_t>(4 * fine_);
     std::vector<int> outer(sectors);
-    for (int k = 0; k < 4 * fine; ++k) outer[k] = grid_point(x0 + around(k)[0], y0 + around(k)[1]);
-    for (int ring = 1; ring <= rings; ++ring) {
+    for (int k = 0; k < 4 * fine_; ++k)
+      outer[k] = grid_point(column * fine_ + around(k)[0], row * fine_ + around(k)[1]);
+    for (int ring = 1; ring <= fine_ / 2; ++ring) {
       std::vector<int> inner(sectors);
-      for (int k = 0; k < 4 * fine; ++k) {
-        const double x = 1.0 * around(k)[0] / fine - 0.5; // on the square of the cell, from its middle
-        const double y = 1.0 * around(k)[1] / fine - 0.5;
-        const double angle = std::numbers::pi * (k / (2.0 * fine) - 0.75);
-        const double inward = 1.0 * ring / rings;
-        const double hole_x = hole == Hole::round ? 0.25 * std::cos(angle) : 0.5 * x;
-        const double hole_y = hole == Hole::round ? 0.25 * std::sin(angle) : 0.5 * y;
-        inner[k] = static_cast<int>(out.points.size());
-        out.points.push_back({1.0 * x0 / fine + 0.5 + x + inward * (hole_x - x),
-                              1.0 * y0 / fine + 0.5 + y + inward * (hole_y - y)});
+      for (int k = 0; k < 4 * fine_; ++k) {
+        const auto [x, y] = in_ring(k, 1.0 * ring / (fine_ / 2));
+        inner[k] = static_cast<int>(plate_.points.size());
+        plate_.points.push_back({column + 0.5 + x, row + 0.5 + y});
       }
       for (std::size_t k = 0; k < sectors; ++k)
         add_square(outer[k], outer[(k + 1) % sectors], inner[(k + 1) % sectors], inner[k]);
       outer = std::move(inner);
     }
-  };
+    ++plate_.holes;
+  }
+
+  PlanarMesh take() { return std::move(plate_); }
+
+private:
+  int grid_point(int x, int y) {
+    const auto [at, is_new] = on_grid_.try_emplace({x, y}, static_cast<int>(plate_.points.size()));
+    if (is_new) plate_.points.push_back({1.0 * x / fine_, 1.0 * y / fine_});
+    return at->second;
+  }
+  void add_square(int a, int b, int c, int d) {
+    plate_.triangles.push_back({a, b, c});
+    plate_.triangles.push_back({a, c, d});
+  }
+  /// The k-th grid point around a cell, counterclockwise from its lower left corner.
+  std::array<int, 2> around(int k) const {
+    const int along = k % fine_;
+    switch (k / fine_) {
+    case 0:
+      return {along, 0};
+    case 1:
+      return {fine_, along};
+    case 2:
+      return {fine_ - along, fine_};
+    default:
+      return {0, fine_ - along};
+    }
+  }
+  /// The k-th point of a ring, seen from the middle of the cell; `inward` is 0 on the cell's sides and 1 on
+  /// the hole's.
+  std::array<double, 2> in_ring(int k, double inward) const {
+    const double x = 1.0 * around(k)[0] / fine_ - 0.5;
+    const double y = 1.0 * around(k)[1] / fine_ - 0.5;
+    const double angle = std::numbers::pi * (k / (2.0 * fine_) - 0.75);
+    const bool round = hole_ == Hole::round;
+    const double hole_x = round ? 0.25 * std::cos(angle) : 0.5 * x;
+    const double hole_y = round ? 0.25 * std::sin(angle) : 0.5 * y;
+    return {x + inward * (hole_x - x), y + inward * (hole_y - y)};
+  }
+
+  int fine_;
+  Hole hole_;
+  PlanarMesh plate_;
+  std::map<std::array<int, 2>, int> on_grid_; ///< by multiples of 1/fine
+};
+
+} // namespace detail
+
+/// The rectangle [0, columns] x [0, rows] of unit cells, cell (i, j) with a hole in its middle if
+/// j columns + i < holes: of diameter or width 1/2. Each side of a cell has `fine` >= 2 edges; a cell without
+/// a hole is a grid of squares, one with a hole is made of fine/2 rings around it.
+inline PlanarMesh planar_plate(int columns, int rows, int holes, int fine, Hole hole = Hole::round) {
+  detail::PlateMaker maker(fine, hole);
   for (int j = 0; j < rows; ++j)
     for (int i = 0; i < columns; ++i)
       if (j * columns + i < holes)
-        add_rings(i * fine, j * fine);
+        maker.add_rings(i, j);
       else
-        add_grid(i * fine, j * fine);
-  return out;
+        maker.add_grid(i, j);
+  return maker.take();
 }
 
 /// The disk of radius 1: a middle vertex and `rings` rings, ring i of 6 i vertices.

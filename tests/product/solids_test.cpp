@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "product/solids.hpp"
 
-#include "tetrarch/product/solid.hpp"
+#include "tetrarch/product/partition.hpp"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <numbers>
 #include <string>
-#include <utility>
 #include <vector>
 
 using namespace tetrarch;
@@ -54,13 +55,14 @@ double area(const product::Solid& solid, const std::vector<int>& base, int which
 } // namespace
 
 TEST_CASE("the solids of the tests are solids of the genus that they say", "[product]") {
-  for (Case& c : all_solids()) {
+  for (const Case& c : all_solids()) {
     INFO(c.name);
     const product::Solid solid = product::solid(c.solid.mesh);
     CHECK(product::genus(solid) == c.solid.holes);
     const std::vector<int> base = bases(solid, c.solid);
     CHECK(std::count(base.begin(), base.end(), 0) == std::count(base.begin(), base.end(), 1));
     CHECK(std::count(base.begin(), base.end(), -1) > 0);
+    CHECK(product::partition(solid, base).holes() == c.solid.holes);
     for (int t = 0; t < solid.size(); ++t) {
       int lowest = c.solid.layers;
       int highest = 0;

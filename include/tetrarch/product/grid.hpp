@@ -42,7 +42,8 @@ struct FloorGrid {
 
 struct GridOptions {
   int across = 16; ///< cells that fit into the width of the rectangle
-  /// Sides of different holes nearer than this part of a cell share a line.
+  /// Sides of different holes nearer than this part of a cell share a line; it is lowered where an angle of a
+  /// cell would be below 30 degrees or above 150.
   double shared = 0.25;
 };
 

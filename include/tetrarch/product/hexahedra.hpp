@@ -3,14 +3,12 @@
 
 /// Hexahedra between floor and ceiling: a grid on the floor, carried up along the fibres.
 ///
-///      ___________       Node (i, j) of the grid follows its fibre and leaves a point at each of the levels
-///     /__/__/__/ /|      k/layers of the height. Cell times layer is a hexahedron.
+///      ___________       Node (i, j) of the grid follows its fibre and leaves a point at each of the
+///     /__/__/__/ /|      levels k/layers of the height. Cell times layer is a hexahedron.
 ///    /__/__/__/ /|/
-///    |__|__|__|/|/       Of an exact product with right angles all are cuboids. Where floor or ceiling meet
-///    a
-///    |__|__|__|/         wall without a ridge, a hexahedron has two sides in one tangent plane, and its
-///    scaled
-///                        Jacobian tends to 0 on finer meshes, whatever is done inside.
+///    |__|__|__|/|/       Of an exact product with right angles all are cuboids. Where floor or ceiling
+///    |__|__|__|/         meet a wall without a ridge, a hexahedron has two faces in one tangent plane,
+///                        and its scaled Jacobian tends to 0 on finer meshes, whatever is done inside.
 ///
 /// Source: Yin, section 3.5.
 

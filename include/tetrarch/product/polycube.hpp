@@ -45,6 +45,9 @@ struct PolycubeOptions {
   double step = 1; ///< of the lattice on which the polycube's corners lie
   int cells = 4;   ///< hexahedra along a step of the lattice
   int finer = 2;   ///< for the polycube's own field each hexahedron is cut into this many along each edge
+  /// Across a ridge between two walls, as polycubes have them, smoothed vectors are small and point anywhere
+  /// along it; the gradient turns round the corner.
+  Direction direction = Direction::gradient;
   int threads = 1;
 };
 

@@ -3,12 +3,14 @@
 
 /// Hexahedra made better by moving their points, one after the other.
 ///
-///      .-----.-----.        The worst of the hexahedra around a point is to be as good as can be. A point
-///      |     |     |        goes to the middle of its neighbours, or half the way, if this worst becomes
-///      |    x--->. |        better there; else, if it is bad, a search in 14 directions with smaller and
-///      .---- \ ----.        smaller steps finds a better place, if any is near. No other hexahedron changes,
-///      |     |     |        so the least scaled Jacobian of the mesh never falls, and what is not tangled
-///      '-----'-----'        stays so.
+///      .-----.-----.     The worst of the hexahedra around a point is to be as good as can be. A
+///      |     |     |     point goes to the middle of its neighbours, or half the way, if this worst
+///      |    x--->. |     becomes better there; else, if it is bad, a search in 14 directions with
+///      .---- \ ----.     smaller and smaller steps finds a better place, if any is near. At first,
+///      |     |     |     where hexahedra are bad, it is the sum of what is lacking around a point that
+///      '-----'-----'     is to become less, and none may become worse than the worst of all.
+///
+/// So the least scaled Jacobian of the mesh never falls, and what is not tangled stays so.
 ///
 /// Source: Freitag and Plassmann, "Local optimization-based simplicial mesh untangling and improvement"
 /// (2000), for tetrahedra.

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+/// A partition of the boundary found without being told anything.
+///
+///     ridges    Cut along its sharp edges, the boundary falls apart into sides. Of all pairs of sides that
+///               are bases of a partition, one is taken.
+///     axes      Floor is where the outer normal, smoothed, points against an axis, ceiling where it points
+///               along it. Of many axes and thresholds one is taken. Rims are made smooth curves by splitting
+///               tetrahedra along them.
+///     tunnels   The inner walls are bands around short loops of the boundary that generate the homology of
+///               the solid, the outer wall is one around a level line between their two banks. Rims are made
+///               smooth as above.
+///
+/// They are tried in this order; the first that finds a partition does it. Among several of one kind the best
+/// has the greatest score: |F - C| / A, where F and C are the vector areas of floor and ceiling and A is the
+/// area of the boundary. It is the greater, the larger and flatter the bases are and the more they face away
+/// from each other, and it does not depend on the position of the solid. Source: after Yin, section 3.4.1,
+/// who flows from seeds.
+
+#include "tetrarch/core/progress.hpp"
+#include "tetrarch/product/partition.hpp"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace tetrarch::product {
+
+struct AutomaticOptions {
+  double ridge_degrees = 30; ///< an edge is sharp if the normals of its triangles differ by more than this
+  int axes = 100;            ///< besides the six principal ones
+  /// On the cosine between normal and axis: how far the bases reach.
+  std::vector<double> thresholds{0.2, 0.35, 0.5, 0.65, 0.8};
+  std::vector<int> smoothings{0, 5, 25, 100}; ///< rounds of averaging the normals, until one of them does it
+  bool smooth_rims = true;                    ///< whether tetrahedra may be split
+};
+
+struct Automatic {
+  Solid solid; ///< as it was, but for splits; old vertices keep their numbers
+  Partition partition;
+  double score = 0;
+  std::string how; ///< in words: which way, which axis
+};
+
+/// Nothing if no way led to a partition: that proves nothing about the solid. O(axes thresholds n) at worst.
+[[nodiscard]] std::optional<Automatic>
+automatic_partition(const Solid& solid, const AutomaticOptions& options = {}, const Progress& progress = {});
+
+} // namespace tetrarch::product
