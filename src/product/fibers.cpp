@@ -56,8 +56,12 @@ struct Walls {
 /// degrees.
 constexpr double ridge_spread = 0.1;
 
+/// Where less of a vector runs along a ridge, the field crosses it and vanishes there.
+constexpr double least_along_ridge = 0.5;
+
 /// What of a vector is tangent to the walls. Around a ridge that points into the solid the field may turn
-/// from one wall to the other, even with infinite speed; there a mean vector stays as it is.
+/// from one wall to the other, even with infinite speed; there a mean vector stays as it is, as it does where
+/// the field crosses a ridge.
 Eigen::Vector3d tangent(const Eigen::Vector3d& vector, const Walls& walls) {
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(walls.normals); // eigenvalues increase
   if (axes.eigenvalues()[1] < ridge_spread * walls.normals.trace()) {
@@ -65,8 +69,8 @@ Eigen::Vector3d tangent(const Eigen::Vector3d& vector, const Walls& walls) {
     return vector - normal * normal.dot(vector);
   }
   if (walls.normal.dot(walls.away) > 0) return vector;
-  const Eigen::Vector3d ridge = axes.eigenvectors().col(0);
-  return ridge * ridge.dot(vector);
+  const Eigen::Vector3d along = axes.eigenvectors().col(0) * axes.eigenvectors().col(0).dot(vector);
+  return along.norm() < least_along_ridge * vector.norm() ? vector : along;
 }
 
 std::vector<Point> smoothed(const Solid& solid, const Partition& partition,

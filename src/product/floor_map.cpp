@@ -2,6 +2,7 @@
 #include "tetrarch/product/floor_map.hpp"
 
 #include "rectangle_corners.hpp"
+#include "vectors.hpp"
 
 #include "tetrarch/core/error.hpp"
 #include "tetrarch/mesh/boundary_loops.hpp"
@@ -66,6 +67,31 @@ std::vector<int> loops_of_walls(const std::vector<int>& wall_of_loop) {
   return loop;
 }
 
+double area_of(const mesh::TriangleMesh& mesh, const mesh::Surface::Triangle& corners) {
+  const auto& p = mesh.points[corners[0]];
+  return vectors::norm(vectors::cross(vectors::difference(mesh.points[corners[1]], p),
+                                      vectors::difference(mesh.points[corners[2]], p))) /
+         2;
+}
+
+/// Moves what crowds near the rim of the disk inward, by the Moebius map of the disk after which the floor's
+/// centroid is 0: circles stay circles. With one hole the map is a ring already.
+void balance(FloorMap& floor) {
+  constexpr int most_rounds = 100;
+  for (int round = 0; round < most_rounds; ++round) {
+    Complex center = 0;
+    double area = 0;
+    for (const auto& c : floor.mesh.surface.triangles()) {
+      const double weight = area_of(floor.mesh, c);
+      area += weight;
+      center += weight * (floor.position[c[0]] + floor.position[c[1]] + floor.position[c[2]]) / 3.0;
+    }
+    center /= area;
+    if (std::abs(center) < 1e-9) return;
+    for (Complex& z : floor.position) z = (z - center) / (1.0 - std::conj(center) * z);
+  }
+}
+
 void map_to_circles(FloorMap& floor, const std::vector<BoundaryLoop>& loops,
                     const std::vector<int>& loop_of_wall, const Progress& progress) {
   slit::CircularMap map;
@@ -86,6 +112,7 @@ void map_to_circles(FloorMap& floor, const std::vector<BoundaryLoop>& loops,
   slit::unflip_in_disk(floor.mesh, map);
   floor.found = map.domain.found;
   floor.position = std::move(map.position);
+  if (loops.size() > 2) balance(floor);
 }
 
 /// A loop by its vertices, in the order of walking, the floor to the left.

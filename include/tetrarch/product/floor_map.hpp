@@ -9,7 +9,8 @@
 ///      \_______/            '------------'
 ///
 /// The floor's triangles are turned, so that they are counterclockwise seen from inside of the solid, and so
-/// is the map: with w upwards, (u, v, w) keeps the orientation. Source: Yin, section 3.4.2.
+/// is the map: with w upwards, (u, v, w) keeps the orientation. Of all disks with round holes, one hole is
+/// in the middle; of more, the centroid of the floor goes there. Source: Yin, section 3.4.2.
 
 #include "tetrarch/core/progress.hpp"
 #include "tetrarch/mesh/triangle_mesh.hpp"
