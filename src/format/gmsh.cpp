@@ -4,6 +4,8 @@
 #include "mesh_text.hpp"
 #include "tag_index.hpp"
 
+#include <map>
+
 namespace tetrarch::format {
 namespace {
 
@@ -81,7 +83,10 @@ public:
     while (!in_.at_end()) {
       const std::string_view section = in_.token("a section");
       if (section.front() != '$') in_.fail(section, "a section, like $Nodes");
-      if (section == "$Nodes") {
+      if (section == "$Entities" && !is_version_2_) {
+        read_entities();
+        end_section(section);
+      } else if (section == "$Nodes") {
         read_nodes();
         end_section(section);
       } else if (section == "$Elements") {
@@ -91,6 +96,7 @@ public:
         in_.pass_over("$End" + std::string(section.substr(1)));
       }
     }
+    drop_empty_tags(soup_);
     return std::move(soup_);
   }
 
@@ -118,6 +124,26 @@ private:
     const std::string end = "$End" + std::string(section.substr(1));
     const std::string_view found = in_.token(end);
     if (found != end) in_.fail(found, end);
+  }
+
+  /// Points, curves, surfaces and volumes; a point has one place and bounds nothing, others have a box.
+  void read_entities() {
+    in_.rest_of_line();
+    std::array<std::int64_t, 4> counts{};
+    for (std::int64_t& count : counts) count = numbers_.count<std::uint64_t>("the number of entities");
+    for (int dimension = 0; dimension < 4; ++dimension)
+      for (std::int64_t i = 0; i < counts[static_cast<std::size_t>(dimension)]; ++i) {
+        const int tag = numbers_.any<std::int32_t>("the tag of an entity");
+        for (int k = 0; k < (dimension == 0 ? 3 : 6); ++k) numbers_.real("a coordinate");
+        const std::int64_t groups = numbers_.count<std::uint64_t>("the number of physical groups");
+        for (std::int64_t k = 0; k < groups; ++k) {
+          const int group = numbers_.any<std::int32_t>("the tag of a physical group");
+          if (dimension == 2 && k == 0) group_of_surface_[tag] = group;
+        }
+        if (dimension == 0) continue;
+        const std::int64_t bounding = numbers_.count<std::uint64_t>("the number of bounding entities");
+        for (std::int64_t k = 0; k < bounding; ++k) numbers_.any<std::int32_t>("the tag of an entity");
+      }
   }
 
   void read_nodes() {
@@ -190,8 +216,12 @@ private:
       const std::int64_t tags = numbers_.integer<std::int32_t>("the number of tags", 0, most_elements);
       for (std::int64_t i = 0; i < in_block; ++i, ++done) {
         if (!text) number = numbers_.tag<std::int32_t>("the tag of an element");
-        for (std::int64_t k = 0; k < tags; ++k) numbers_.any<std::int32_t>("a tag");
-        read_element<std::int32_t>(type, number);
+        int patch = 0; // the physical group, then the surface
+        for (std::int64_t k = 0; k < tags; ++k) {
+          const int tag = numbers_.any<std::int32_t>("a tag");
+          if (k < 2 && patch == 0) patch = tag;
+        }
+        read_element<std::int32_t>(type, number, patch);
       }
     }
   }
@@ -203,13 +233,15 @@ private:
     for (int i = 0; i < 2; ++i) numbers_.count<std::uint64_t>("the tag of an element");
     for (std::int64_t b = 0; b < blocks; ++b) {
       numbers_.integer<std::int32_t>("the dimension of an entity", 0, 3);
-      numbers_.any<std::int32_t>("the tag of an entity");
+      const int entity = numbers_.any<std::int32_t>("the tag of an entity");
+      const auto group = group_of_surface_.find(entity);
+      const int patch = group == group_of_surface_.end() ? entity : group->second;
       const int type = read_type();
       const std::int64_t count = numbers_.count<std::uint64_t>("the number of elements in the block");
       if (type == tetrahedron_type)
         soup_.tetrahedra.reserve(soup_.tetrahedra.size() + in_.believable(count, shortest_line));
       for (std::int64_t i = 0; i < count; ++i)
-        read_element<std::uint64_t>(type, numbers_.tag<std::uint64_t>("the tag of an element"));
+        read_element<std::uint64_t>(type, numbers_.tag<std::uint64_t>("the tag of an element"), patch);
     }
   }
 
@@ -228,10 +260,11 @@ private:
   }
 
   template <class Stored>
-  void read_element(int type, int number) {
+  void read_element(int type, int number, int patch) {
     const int line = in_.line();
     if (type == triangle_type) {
       soup_.triangles.push_back(read_node_tags<Stored, 3>());
+      soup_.triangle_tags.push_back(patch);
       note(soup_.triangle_labels, number, line);
     } else if (type == tetrahedron_type) {
       soup_.tetrahedra.push_back(read_node_tags<Stored, 4>());
@@ -258,6 +291,7 @@ private:
   GmshNumbers numbers_;
   Soup soup_;
   TagIndex index_{Runs()};
+  std::map<int, int> group_of_surface_;
   bool is_version_2_ = false;
   bool warned_ = false;
 };

@@ -4,6 +4,8 @@
 #include "mesh_cursor.hpp"
 #include "mesh_text.hpp"
 
+#include "tetrarch/core/error.hpp"
+
 namespace tetrarch::format {
 namespace {
 
@@ -31,6 +33,7 @@ public:
       if (keyword == "End") break;
       read_section(keyword);
     }
+    drop_empty_tags(soup_);
     return std::move(soup_);
   }
 
@@ -43,9 +46,9 @@ private:
     } else if (keyword == "Vertices") {
       read_vertices();
     } else if (keyword == "Triangles") {
-      read_elements(soup_.triangles, soup_.triangle_labels, "triangles");
+      read_elements(soup_.triangles, soup_.triangle_labels, "triangles", &soup_.triangle_tags);
     } else if (keyword == "Tetrahedra") {
-      read_elements(soup_.tetrahedra, soup_.tetrahedron_labels, "tetrahedra");
+      read_elements(soup_.tetrahedra, soup_.tetrahedron_labels, "tetrahedra", nullptr);
     } else {
       pass_over(keyword);
     }
@@ -66,16 +69,18 @@ private:
     }
   }
 
+  /// References are written to `tags`, if there is such a list.
   template <std::size_t corners>
   void read_elements(std::vector<std::array<int, corners>>& elements, Labels& labels,
-                     const std::string& what) {
+                     const std::string& what, std::vector<int>* tags) {
     const std::int64_t count = read_count(elements.size(), what);
     elements.reserve(in_.believable(count, shortest_line));
     for (std::int64_t i = 1; i <= count; ++i) {
       elements.push_back(read_corners<corners>(in_, soup_.first_number));
       note(labels, static_cast<int>(i), in_.line());
-      in_.integer("a reference", std::numeric_limits<std::int64_t>::min(),
-                  std::numeric_limits<std::int64_t>::max());
+      const std::int64_t reference = in_.integer("a reference", std::numeric_limits<int>::min(),
+                                                 std::numeric_limits<int>::max());
+      if (tags != nullptr) tags->push_back(static_cast<int>(reference));
     }
   }
 
@@ -103,13 +108,33 @@ std::string write_medit(const Soup& soup) {
   std::string out = "MeshVersionFormatted 2\nDimension 3\nVertices\n";
   out += std::to_string(soup.points.size()) + "\n";
   for (const auto& p : soup.points) append_line(out, p, " 0\n");
-  const auto section = [&](const char* keyword, const auto& elements) {
+  const auto section = [&](const char* keyword, const auto& elements, const std::vector<int>& tags) {
     if (elements.empty()) return;
     out += keyword + std::to_string(elements.size()) + "\n";
-    for (const auto& corners : elements) append_line(out, corners, " 0\n", 1);
+    for (std::size_t i = 0; i < elements.size(); ++i)
+      append_line(out, elements[i], " " + std::to_string(tags.empty() ? 0 : tags[i]) + "\n", 1);
   };
-  section("Triangles\n", soup.triangles);
-  section("Tetrahedra\n", soup.tetrahedra);
+  section("Triangles\n", soup.triangles, soup.triangle_tags);
+  section("Tetrahedra\n", soup.tetrahedra, {});
+  return out + "End\n";
+}
+
+std::string write_medit_hexahedra(const std::vector<std::array<double, 3>>& points,
+                                  const std::vector<std::array<int, 8>>& hexahedra,
+                                  const std::vector<int>& references) {
+  if (!references.empty() && references.size() != hexahedra.size())
+    throw PreconditionError("write_medit_hexahedra: references and hexahedra differ in number");
+  std::string out = "MeshVersionFormatted 2\nDimension 3\nVertices\n" + std::to_string(points.size()) + "\n";
+  for (const auto& p : points) append_line(out, p, " 0\n");
+  out += "Hexahedra\n" + std::to_string(hexahedra.size()) + "\n";
+  for (std::size_t k = 0; k < hexahedra.size(); ++k) {
+    for (const int v : hexahedra[k])
+      if (v < 0 || static_cast<std::size_t>(v) >= points.size())
+        throw PreconditionError("write_medit_hexahedra: hexahedron " + std::to_string(k) + " names vertex " +
+                                std::to_string(v) + " of " + std::to_string(points.size()));
+    const int reference = references.empty() ? 0 : references[k];
+    append_line(out, hexahedra[k], " " + std::to_string(reference) + "\n", 1);
+  }
   return out + "End\n";
 }
 

@@ -5,6 +5,7 @@
 
 #include "mesh_cursor.hpp"
 
+#include <algorithm>
 #include <array>
 #include <string>
 #include <string_view>
@@ -14,6 +15,12 @@ namespace tetrarch::format {
 inline void note(Labels& labels, int number, int line) {
   labels.numbers.push_back(number);
   labels.lines.push_back(line);
+}
+
+/// Tags that are 0 everywhere tell nothing.
+inline void drop_empty_tags(Soup& soup) {
+  std::vector<int>& tags = soup.triangle_tags;
+  if (std::all_of(tags.begin(), tags.end(), [](int tag) { return tag == 0; })) tags.clear();
 }
 
 /// The corners of an element, counted from `first_number` in the file and from 0 in what is returned.

@@ -93,6 +93,10 @@ void remove_triangles(Repaired& result, const std::vector<char>& flagged, const 
   if (count == 0) return;
   format::Soup& soup = result.soup;
   remove_flagged(soup.triangles, soup.triangle_labels, soup.first_number, flagged);
+  std::size_t kept = 0;
+  for (std::size_t t = 0; t < soup.triangle_tags.size(); ++t)
+    if (!flagged[t]) soup.triangle_tags[kept++] = soup.triangle_tags[t];
+  soup.triangle_tags.resize(kept);
   result.done.push_back(counted("removed", count, what));
 }
 

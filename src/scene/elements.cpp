@@ -96,6 +96,16 @@ public:
     }
   }
 
+  template <class Element>
+  void fields_of(const Element& element, std::size_t parts) const {
+    fields("fields", element.cell_fields, parts);
+    fields("fields at points", element.point_fields, element.points.size());
+    for (const Field& field : element.point_fields)
+      if (contains(taken_at_points, field.name))
+        fail("fields at points may not be called " + in_quotes(field.name));
+  }
+
+private:
   void fields(const char* list, const std::vector<Field>& fields, std::size_t parts) const {
     columns(list, fields, parts);
     for (const Field& field : fields)
@@ -103,7 +113,6 @@ public:
         if (!std::isfinite(x)) fail(in_quotes(field.name) + " has numbers that are not finite");
   }
 
-private:
   const char* kind_;
   const std::string& name_;
 };
@@ -120,11 +129,7 @@ void require_sound(const Surface& surface) {
   check.indices("triangle", surface.triangles, surface.points.size());
   check.colors(surface.colors, surface.triangles.size());
   check.columns("data", surface.data, surface.triangles.size());
-  check.fields("fields", surface.cell_fields, surface.triangles.size());
-  check.fields("fields at points", surface.point_fields, surface.points.size());
-  for (const Field& field : surface.point_fields)
-    if (contains(taken_at_points, field.name))
-      check.fail("fields at points may not be called " + in_quotes(field.name));
+  check.fields_of(surface, surface.triangles.size());
 }
 
 void require_sound(const Tubes& tubes) {
@@ -150,13 +155,14 @@ void require_sound(const Cells& cells) {
   check.indices("tetrahedron", cells.tetrahedra, cells.points.size());
   check.indices("hexahedron", cells.hexahedra, cells.points.size());
   check.columns("data", cells.data, part_count(cells));
+  check.fields_of(cells, part_count(cells));
 }
 
 void require_sound(const Scene& scene) {
   for_each_element(scene, [](const auto& element) { require_sound(element); });
   const Check check("scene", scene.title);
   const std::vector<std::string> data = data_names(scene);
-  for (const std::string& name : field_names(scene, &Surface::cell_fields))
+  for (const std::string& name : field_names(scene, FieldOn::cells))
     if (contains(data, name)) check.fail("data and a field are both called " + in_quotes(name));
   for (const Label& label : scene.labels) check.finite("labels", std::vector<Point>{label.at});
 }
@@ -167,9 +173,14 @@ std::vector<std::string> data_names(const Scene& scene) {
   return names;
 }
 
-std::vector<std::string> field_names(const Scene& scene, Fields kind) {
+const std::vector<Field>& fields_of(const Tubes&, FieldOn) {
+  static const std::vector<Field> none;
+  return none;
+}
+
+std::vector<std::string> field_names(const Scene& scene, FieldOn on) {
   std::vector<std::string> names;
-  for (const Surface& surface : scene.surfaces) add_names(names, surface.*kind);
+  for_each_element(scene, [&](const auto& element) { add_names(names, fields_of(element, on)); });
   return names;
 }
 

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <string>
 #include <vector>
@@ -44,12 +45,19 @@ inline Color color_of(const std::vector<Color>& colors, std::size_t k) {
   return colors.empty() ? Color{} : colors[colors.size() == 1 ? 0 : k];
 }
 
-/// Either kind of fields, those of cells or those of points.
-using Fields = std::vector<Field> Surface::*;
+/// What a field has a number for: each triangle or cell, or each point.
+enum class FieldOn : std::uint8_t { cells, points };
+
+template <class Element>
+const std::vector<Field>& fields_of(const Element& element, FieldOn on) {
+  return on == FieldOn::cells ? element.cell_fields : element.point_fields;
+}
+/// None.
+const std::vector<Field>& fields_of(const Tubes& tubes, FieldOn on);
 
 /// The names of all data, or fields, in the scene, each once, in the order in which they appear.
 std::vector<std::string> data_names(const Scene& scene);
-std::vector<std::string> field_names(const Scene& scene, Fields kind);
+std::vector<std::string> field_names(const Scene& scene, FieldOn on);
 
 /// What an element has for data and for fields that it lacks.
 inline constexpr int no_value = -1;

@@ -125,6 +125,8 @@ public:
     number = static_cast<int>(to_.points.size());
     to_.points.push_back(from_.points[p]);
     if (!from_.textures.empty()) to_.textures.push_back({from_.textures[p][0], from_.textures[p][1]});
+    for (std::size_t i = 0; i < to_.point_fields.size(); ++i)
+      to_.point_fields[i].values.push_back(from_.point_fields[i].values[p]);
     return number;
   }
 
@@ -143,11 +145,15 @@ Surface outer_faces(const Cells& cells) {
   Surface out;
   out.name = cells.name;
   for (const Data& data : cells.data) out.data.push_back({data.name, {}});
+  for (const Field& field : cells.cell_fields) out.cell_fields.push_back({field.name, {}});
+  for (const Field& field : cells.point_fields) out.point_fields.push_back({field.name, {}});
   PointPicker pick(cells, out);
   const auto add = [&](std::size_t cell, int a, int b, int c) {
     out.triangles.push_back({a, b, c});
     for (std::size_t i = 0; i < cells.data.size(); ++i)
       out.data[i].values.push_back(cells.data[i].values[cell]);
+    for (std::size_t i = 0; i < cells.cell_fields.size(); ++i)
+      out.cell_fields[i].values.push_back(cells.cell_fields[i].values[cell]);
   };
   for (std::size_t face = 0; face < faces.count(); ++face) {
     if (!is_outer[face]) continue;

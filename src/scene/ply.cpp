@@ -25,8 +25,8 @@ std::vector<Point> mean_normals(const Surface& surface) {
 class PlyWriter {
 public:
   explicit PlyWriter(const Scene& scene)
-      : surfaces_(scene), names_(data_names(scene)), cell_fields_(field_names(scene, &Surface::cell_fields)),
-        point_fields_(field_names(scene, &Surface::point_fields)) {
+      : surfaces_(scene), names_(data_names(scene)), cell_fields_(field_names(scene, FieldOn::cells)),
+        point_fields_(field_names(scene, FieldOn::points)) {
     for (const Surface* surface : surfaces_.all) {
       points_ += surface->points.size();
       triangles_ += surface->triangles.size();

@@ -6,6 +6,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <map>
+#include <string>
+#include <utility>
 
 namespace tetrarch::scene {
 namespace {
@@ -63,12 +66,14 @@ std::string base64_as(const std::vector<From>& arrays) {
 }
 
 Json lines_json(const Tubes& tubes, const IntoUnitBall& ball) {
-  const std::vector<int>* loops = columns_of(tubes.data, {"loop"}).front();
+  const auto columns = columns_of(tubes.data, {"loop", "fiber"});
+  const std::vector<int>* loops = columns[0];
+  const bool fibers = columns[1] != nullptr;
   Json names = Json::array();
   Json colors = Json::array();
   for (std::size_t k = 0; k < part_count(tubes); ++k) {
     const Color color = color_of(tubes.colors, k);
-    names.push_back(loops ? (*loops)[k] : static_cast<int>(k));
+    if (!fibers) names.push_back(loops ? (*loops)[k] : static_cast<int>(k));
     colors.push_back({color.red, color.green, color.blue});
   }
   return {{"name", tubes.name},
@@ -78,6 +83,34 @@ Json lines_json(const Tubes& tubes, const IntoUnitBall& ball) {
           {"colours", colors}};
 }
 
+/// A number for each point, or null.
+Json field_json(const Surface& surface) {
+  if (surface.point_fields.empty()) return nullptr;
+  const Field& field = surface.point_fields.front();
+  return {{"name", field.name},
+          {"values", base64(std::vector<float>(field.values.begin(), field.values.end()))}};
+}
+
+/// The patch of each triangle, and of each patch its name and colour; or null.
+Json patches_json(const Surface& surface) {
+  const std::vector<int>* patch = columns_of(surface.data, {"patch"}).front();
+  if (!patch) return nullptr;
+  constexpr std::array<const char*, 2> bases{"floor", "ceiling"};
+  const int first_wall = static_cast<int>(bases.size());
+  std::map<int, Color> colors;
+  for (std::size_t t = 0; t < patch->size(); ++t) {
+    if ((*patch)[t] < 0) throw PreconditionError("write_page: a patch with a negative number");
+    colors.try_emplace((*patch)[t], color_of(surface.colors, t));
+  }
+  Json list = Json::array();
+  for (const auto& [k, color] : colors)
+    list.push_back({{"number", k},
+                    {"name", k < first_wall ? bases[static_cast<std::size_t>(k)]
+                                            : "wall " + std::to_string(k - first_wall)},
+                    {"colour", {color.red, color.green, color.blue}}});
+  return {{"list", list}, {"of", base64(*patch)}};
+}
+
 Json pane(const Scene& scene, const Surface* before) {
   const Surface& surface = scene.surfaces[0];
   const IntoUnitBall ball(surface.points);
@@ -85,6 +118,10 @@ Json pane(const Scene& scene, const Surface* before) {
   if (!before || before->triangles != surface.triangles)
     json["triangles"] = base64_as<std::uint32_t>(surface.triangles);
   if (!before || before->textures != surface.textures) json["textures"] = base64_as<float>(surface.textures);
+  const std::pair<const char*, Json (*)(const Surface&)> parts[]{{"field", field_json},
+                                                                 {"patches", patches_json}};
+  for (const auto& [name, make] : parts)
+    if (Json part = make(surface); !before || make(*before) != part) json[name] = std::move(part);
   json["lines"] = Json::array();
   for (const Tubes& tubes : scene.tubes) json["lines"].push_back(lines_json(tubes, ball));
   return json;
@@ -121,7 +158,8 @@ std::string page_data(const TexturePage& page) {
                     {"version", 1},
                     {"title", page.title},
                     {"tables", as_json(page.tables)},
-                    {"v_by_u", v_by_u(domain)},
+                    {"v_by_u", page.v_by_u.value_or(v_by_u(domain))},
+                    {"lines", page.lines},
                     {"panes", {pane(page.surface, nullptr), pane(page.domain, &surface)}}});
 }
 

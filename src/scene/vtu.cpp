@@ -59,22 +59,14 @@ std::vector<std::array<double, 2>> textures_of(const Tubes&) {
   return {};
 }
 
-const std::vector<Field>& fields_of(const Surface& surface, Fields kind) {
-  return surface.*kind;
-}
-template <class Element>
-std::vector<Field> fields_of(const Element&, Fields) {
-  return {};
-}
-
 class VtuWriter {
 public:
   explicit VtuWriter(const Scene& scene) : scene_(scene) {
     count();
     declare_point_data();
-    declare_fields("PointData", &Surface::point_fields, points_);
+    declare_fields("PointData", FieldOn::points, points_);
     for (const std::string& name : data_names(scene)) declare_data(name);
-    declare_fields("CellData", &Surface::cell_fields, cells_);
+    declare_fields("CellData", FieldOn::cells, cells_);
     declare_element();
     declare_geometry();
   }
@@ -142,17 +134,13 @@ private:
     });
   }
 
-  void declare_fields(const char* section, Fields kind, std::size_t count) {
-    const bool at_points = kind == &Surface::point_fields;
-    for (const std::string& name : field_names(scene_, kind))
-      declare(section, "Float64", name, 1, 8 * count,
-              [name, kind, at_points](std::string& out, const auto& element) {
-                const auto& fields = fields_of(element, kind);
-                const auto* values = columns_of(fields, {name}).front();
-                const std::size_t length = at_points ? element.points.size() : part_count(element);
-                for (std::size_t k = 0; k < length; ++k)
-                  append_little(out, values ? (*values)[k] : no_number);
-              });
+  void declare_fields(const char* section, FieldOn on, std::size_t count) {
+    for (const std::string& name : field_names(scene_, on))
+      declare(section, "Float64", name, 1, 8 * count, [name, on](std::string& out, const auto& element) {
+        const auto* values = columns_of(fields_of(element, on), {name}).front();
+        const std::size_t length = on == FieldOn::points ? element.points.size() : part_count(element);
+        for (std::size_t k = 0; k < length; ++k) append_little(out, values ? (*values)[k] : no_number);
+      });
   }
 
   void declare_element() {

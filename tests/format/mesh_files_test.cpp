@@ -110,12 +110,14 @@ TEST_CASE("Gmsh's files all hold the same mesh", "[mesh]") {
   CHECK(first.triangles.size() == 16);
   CHECK(first.tetrahedra.size() == 11);
   CHECK(first.tetrahedron_labels.numbers[10] == 27);
+  CHECK(first.triangle_tags == std::vector<int>(16, 2)); // all in the physical group "skin", 2 there
   for (const std::string name :
        {"22.msh", "22_binary.msh", "41_binary.msh", "solid.mesh", "solid.vtk", "solid_binary.vtk"}) {
     INFO(name);
     const Soup soup = read_soup_file(mesh_data("gmsh_" + name));
     CHECK(soup.triangles == first.triangles);
     CHECK(soup.tetrahedra == first.tetrahedra);
+    if (name.ends_with("msh")) CHECK(soup.triangle_tags == first.triangle_tags);
     for (std::size_t i = 0; i < first.points.size(); ++i)
       for (std::size_t axis = 0; axis < 3; ++axis)
         CHECK(soup.points[i][axis] == Approx(first.points[i][axis]).margin(1e-12)); // some have 15 digits
@@ -136,8 +138,8 @@ TEST_CASE("elements remember their numbers and lines", "[mesh]") {
 }
 
 TEST_CASE("Gmsh's node tags may be sparse and in any order", "[mesh]") {
-  const std::string text = "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$Entities\n1 0 0 1\nanything $ at all\n"
-                           "$EndEntities\n$Nodes\n2 4 3 900\n2 1 1 2\n900\n7\n0 0 0 0.5 0.5\n1 0 0 0.5 0.5\n"
+  const std::string text = "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$Comments\n1 0 0 1\nanything $ at all\n"
+                           "$EndComments\n$Nodes\n2 4 3 900\n2 1 1 2\n900\n7\n0 0 0 0.5 0.5\n1 0 0 0.5 0.5\n"
                            "3 1 0 2\n3\n4\n0 1 0\n0 0 1\n$EndNodes\n$Elements\n2 2 1 8\n1 1 1 1\n1 3 4\n"
                            "3 1 4 1\n8 900 7 3 4\n$EndElements\n";
   const Soup soup = read_gmsh(text, "f");
@@ -150,6 +152,31 @@ TEST_CASE("Gmsh's node tags may be sparse and in any order", "[mesh]") {
         "f:26: found '901', expected the tag of a node");
   CHECK(error_of([&] { read_gmsh(with(text, "3\n4\n0", "7\n4\n0"), "f"); }).find("several have the tag 7") !=
         std::string::npos);
+}
+
+TEST_CASE("triangles keep the patch that the file counts them to", "[mesh]") {
+  Soup soup = two_tetrahedra();
+  soup.triangles.push_back({0, 1, 2});
+  soup.triangle_tags = {7, -3};
+  const Soup back = read_medit(write_medit(soup), "f");
+  CHECK(back.triangle_tags == soup.triangle_tags);
+  CHECK(write_medit(back) == write_medit(soup));
+  CHECK(read_medit(write_medit(two_tetrahedra()), "f").triangle_tags.empty());
+
+  // Version 2 names the group, then the surface; of elements in no group, the group is 0.
+  const std::string nodes = "$Nodes\n3\n1 0 0 0\n2 1 0 0\n3 0 1 0\n$EndNodes\n";
+  const Soup two = read_gmsh("$MeshFormat\n2.2 0 8\n$EndMeshFormat\n" + nodes +
+                                 "$Elements\n2\n1 2 2 50 4 1 2 3\n2 2 2 0 6 3 2 1\n$EndElements\n",
+                             "f");
+  CHECK(two.triangle_tags == std::vector<int>{50, 6});
+  // Version 4.1 names the surface, and $Entities its groups: here 4 is in group 50 and 6 in none.
+  const Soup four = read_gmsh("$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$Entities\n1 1 2 0\n9 0 0 0 1 77\n"
+                              "5 0 0 0 1 1 1 1 88 2 9 9\n4 0 0 0 1 1 1 2 50 51 1 5\n6 0 0 0 1 1 1 0 0\n"
+                              "$EndEntities\n$Nodes\n1 3 1 3\n2 4 0 3\n1\n2\n3\n0 0 0\n1 0 0\n0 1 0\n"
+                              "$EndNodes\n$Elements\n2 2 1 2\n2 4 2 1\n1 1 2 3\n2 6 2 1\n2 3 2 1\n"
+                              "$EndElements\n",
+                              "f");
+  CHECK(four.triangle_tags == std::vector<int>{50, 6});
 }
 
 TEST_CASE("TetGen's files count from 0 or from 1, and comments may stand anywhere", "[mesh]") {

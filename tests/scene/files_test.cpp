@@ -193,6 +193,32 @@ TEST_CASE("PLY and VTU hold fields of real numbers, and NaN where there are none
   CHECK(format::read_soup(ply, "scene").triangles.size() == 2 + 2 + 80 + 24);
 }
 
+TEST_CASE("fields of cells go to VTU, and with the outer faces to PLY", "[scene]") {
+  Scene scene;
+  scene.cells = {cubes(2)};
+  std::vector<double> quality(8);
+  for (std::size_t k = 0; k < 8; ++k) quality[k] = 0.1 * static_cast<double>(k);
+  std::vector<double> height;
+  for (const Point& p : scene.cells[0].points) height.push_back(10 * p[2]);
+  scene.cells[0].cell_fields = {{"quality", quality}};
+  scene.cells[0].point_fields = {{"height", height}};
+  const std::string vtu = write_scene(scene, SceneFormat::vtu);
+  CHECK(vtu_array<double>(vtu, "quality") == quality);
+  CHECK(vtu_array<double>(vtu, "height") == height);
+
+  // By hand: each of the 8 cubes has 3 outer squares of 2 triangles; the middle of the 27 points is inside.
+  const Surface outer = outer_faces(scene.cells[0]);
+  REQUIRE(outer.points.size() == 26);
+  REQUIRE(outer.point_fields.at(0).values.size() == 26);
+  for (std::size_t p = 0; p < 26; ++p) CHECK(outer.point_fields[0].values[p] == 10 * outer.points[p][2]);
+  REQUIRE(outer.cell_fields.at(0).values.size() == 48);
+  for (std::size_t t = 0; t < 48; ++t)
+    CHECK(outer.cell_fields[0].values[t] == quality[static_cast<std::size_t>(outer.data[0].values[t])]);
+  const std::string ply = write_scene(scene, SceneFormat::ply);
+  CHECK_THAT(ply, Contains("element vertex 26\n") && Contains("z\nproperty double height\nelement face 48") &&
+                      Contains("property int cell\nproperty double quality\nend_header"));
+}
+
 TEST_CASE("an empty scene is a file all the same", "[scene]") {
   Scene nothing;
   Scene hollow;
@@ -297,6 +323,14 @@ TEST_CASE("scenes that break their rules are refused", "[scene]") {
       {"begin with the first", [](Scene& s) { s.tubes[0].starts.clear(); }},
       {"3 colours, expected 2", [](Scene& s) { s.tubes[0].colors.resize(3); }},
       {"names point 8 of 8", [](Scene& s) { s.cells[0].hexahedra[0][7] = 8; }},
+      {"6 fields, expected 1",
+       [](Scene& s) {
+         s.cells[0].cell_fields = {{"f", std::vector<double>(6)}};
+       }},
+      {"may not be called 'texture'",
+       [](Scene& s) {
+         s.cells[1].point_fields = {{"texture", std::vector<double>(8)}};
+       }},
       {"names point 9 of 8", [](Scene& s) { s.cells[1].tetrahedra[5][0] = 9; }},
       {"7 texture coordinates", [](Scene& s) { s.cells[0].textures.pop_back(); }},
       {"6 data, expected 7",

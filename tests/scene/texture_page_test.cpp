@@ -62,6 +62,37 @@ TEST_CASE("a page of textures holds two scenes, and what they share once", "[sce
   CHECK(differing["lines"][0]["numbers"] == nlohmann::json({4, 4}));
 }
 
+TEST_CASE("a page of textures holds fields, patches and fibres", "[scene]") {
+  Scene surface = stretched();
+  const auto bare = data_of(surface, surface);
+  CHECK(bare["panes"][0]["field"].is_null());
+  CHECK(bare["panes"][0]["patches"].is_null());
+  CHECK(bare["lines"] == "Loops");
+  surface.surfaces[0].point_fields = {{"w", {0, 0.5, 1, 2}}, {"error", {0, 0, 0, 0}}};
+  surface.surfaces[0].data = {{"patch", {2, 0}}};
+  surface.tubes[0].data = {{"fiber", {0, 1}}};
+  Scene domain = surface;
+  domain.surfaces[0].point_fields.clear();
+  const auto data = nlohmann::json::parse(page_data(TexturePage{"", {}, surface, domain, "Fibres", 1.0}));
+  CHECK(data["lines"] == "Fibres");
+  CHECK(data["v_by_u"] == 1); // and not 3, which the domain says
+  const auto& pane = data["panes"][0];
+  CHECK(pane["field"]["name"] == "w");
+  // By hand: little-endian floats 0, 0.5, 1, 2 end in 3f, 3f80, 40; 32-bit integers 2, 0.
+  CHECK(pane["field"]["values"] == "AAAAAAAAAD8AAIA/AAAAQA==");
+  CHECK(pane["patches"]["of"] == "AgAAAAAAAAA=");
+  CHECK(pane["patches"]["list"] == nlohmann::json::parse(R"([
+    {"number": 0, "name": "floor", "colour": [0, 0, 128]}, {"number": 2, "name": "wall 0", "colour": [255, 0, 0]}
+  ])"));
+  CHECK(pane["lines"][0]["numbers"] == nlohmann::json::array());
+  // The domain has the same patches, and no field.
+  CHECK(data["panes"][1]["field"].is_null());
+  CHECK(data["panes"][1].contains("field"));
+  CHECK(!data["panes"][1].contains("patches"));
+  surface.surfaces[0].data[0].values[0] = -1;
+  CHECK_THROWS_AS(page_data(TexturePage{"", {}, surface, domain}), PreconditionError);
+}
+
 TEST_CASE("patterns on a page of textures are square in the domain", "[scene]") {
   CHECK(data_of(stretched(), stretched())["v_by_u"].get<double>() == Approx(3));
   // Texture coordinates that are turned: v goes along x.

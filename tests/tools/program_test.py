@@ -803,6 +803,142 @@ class Register(InAFolder):
             self.assertIn(complaint, done.stderr)
 
 
+class Product(InAFolder):
+    def setUp(self):
+        super().setUp()
+        self.ridges = os.path.join(SOURCE, "tests/data/genus4_ridges.mesh")
+        self.smooth = os.path.join(SOURCE, "tests/data/genus5_smooth.mesh")
+
+    def refused(self, *arguments):
+        """The one line on standard error of a command that must fail with 2 and write nothing."""
+        before = sorted(os.listdir(self.folder.name))
+        done = run("product", *arguments, "-o", self.path("never.vtu"))
+        self.assertEqual(done.returncode, 2, done.stdout + done.stderr)
+        self.assertEqual((done.stderr.count("\n"), done.stdout), (1, ""), done.stderr)
+        self.assertEqual(sorted(os.listdir(self.folder.name)), before)
+        return done.stderr
+
+    def write(self, name, points, tetrahedra):
+        with open(self.path(name), "w", encoding="utf-8") as file:
+            file.write("MeshVersionFormatted 2\nDimension 3\nVertices\n%d\n" % len(points))
+            file.writelines("%r %r %r 0\n" % tuple(p) for p in points)
+            file.write("Tetrahedra\n%d\n" % len(tetrahedra))
+            file.writelines("%d %d %d %d 0\n" % tuple(v + 1 for v in t) for t in tetrahedra)
+            file.write("End\n")
+        return self.path(name)
+
+    def read(self, path):
+        """Points, tetrahedra and labelled triangles of a MEDIT file."""
+        with open(path, encoding="utf-8") as file:
+            words = iter(file.read().split())
+        found = {}
+        for word in words:
+            if word in ("Vertices", "Triangles", "Tetrahedra", "Hexahedra"):
+                width = {"Vertices": 4, "Triangles": 4, "Tetrahedra": 5, "Hexahedra": 9}[word]
+                number = float if word == "Vertices" else int
+                found[word] = [[number(next(words)) for _ in range(width)] for _ in range(int(next(words)))]
+        return found
+
+    def test_labels_and_no_help_agree_between_ridges(self):
+        status, labelled = run_json("product", self.ridges, "--labels", "1,2")
+        self.assertEqual(status, 0)
+        _, found = run_json("product", self.ridges)
+        sizes = [{k: v for k, v in made["partition"].items() if k in ("floor", "ceiling", "walls")} for made in (labelled, found)]
+        # Which of two equal plates is the floor nobody has said.
+        self.assertEqual(sizes[0], sizes[1])
+        for made in (labelled, found):
+            self.assertEqual((made["holes"], made["stuck_fibers"], made["floor_flipped"]), (4, 0, 0))
+            self.assertEqual(made["critical"], {"flat_tetrahedra": [], "vertices": []})
+            self.assertLess(made["opposite_way"]["max_distance"], 0.05)
+            self.assertEqual(made["opposite_way"]["not_arrived"], 0)
+
+    def test_a_smooth_solid_without_help(self):
+        status, made = run_json("product", self.smooth)
+        self.assertEqual((status, made["holes"], made["stuck_fibers"]), (0, 5, 0))
+        self.assertEqual(made["critical"], {"flat_tetrahedra": [], "vertices": []})
+
+    def test_hexahedra(self):
+        path = self.path("hex.mesh")
+        status, made = run_json("product", self.ridges, "--labels", "1,2", "--hex", "20", "-o", path, "-o", self.path("hex.vtu"), "-o", self.path("hex.glb"))
+        self.assertEqual(status, 0)
+        self.assertEqual(made["hexahedra"], made["grid"]["cells"] * (made["hexahedra"] // made["grid"]["cells"]))
+        self.assertGreater(made["min_scaled_jacobian"], 0)
+        self.assertEqual(sum(made["histogram"]["counts"]), made["hexahedra"])
+        written = self.read(path)
+        self.assertEqual(len(written["Hexahedra"]), made["hexahedra"])
+        # The hexahedra fill the plate: by hand, 0.8 times the plan's area (an L of 12 less 1/8, less two octagonal
+        # approximations of disks of radius 0.45, a square of 0.6 and a hexagon of side 0.4, all cut by the grid).
+        volume = 0.0
+        for *corners, _ in written["Hexahedra"]:
+            p = [written["Vertices"][v - 1][:3] for v in corners]
+            for a, b, c, d in ((0, 1, 2, 6), (0, 2, 3, 6), (0, 3, 7, 6), (0, 7, 4, 6), (0, 4, 5, 6), (0, 5, 1, 6)):
+                e = [[p[k][i] - p[a][i] for i in range(3)] for k in (b, c, d)]
+                volume += (e[0][0] * (e[1][1] * e[2][2] - e[1][2] * e[2][1]) - e[0][1] * (e[1][0] * e[2][2] - e[1][2] * e[2][0])
+                           + e[0][2] * (e[1][0] * e[2][1] - e[1][1] * e[2][0])) / 6
+        plan = 12 - 0.125 - 2 * math.pi * 0.45 ** 2 - 0.36 - 1.5 * math.sqrt(3) * 0.16
+        self.assertAlmostEqual(volume, 0.8 * plan, delta=0.03 * plan)
+        _, smoothed = run_json("product", self.ridges, "--labels", "1,2", "--hex", "20", "--smooth")
+        self.assertGreaterEqual(smoothed["min_scaled_jacobian"], made["min_scaled_jacobian"])
+
+    def test_what_is_written_is_read_again(self):
+        path = self.path("labels.mesh")
+        _, made = run_json("product", self.ridges, "-o", path)
+        labels = [t[3] for t in self.read(path)["Triangles"]]
+        counts = [labels.count(k) for k in range(1, 8)]
+        self.assertEqual(counts, [made["partition"]["floor"], made["partition"]["ceiling"], *made["partition"]["walls"]])
+        _, again = run_json("product", path, "--labels", "1,2")
+        self.assertEqual([again[k] for k in ("height", "flipped", "orthogonality_error")],
+                         [made[k] for k in ("height", "flipped", "orthogonality_error")])
+
+    def test_pictures(self):
+        names = {e: self.path("product." + e) for e in ("vtu", "glb", "ply", "obj", "html")}
+        done = run("product", self.ridges, *(a for path in names.values() for a in ("-o", path)))
+        self.assertEqual(done.returncode, 0, done.stderr)
+        for path in names.values():
+            self.assertGreater(os.path.getsize(path), 10_000)
+        with open(names["vtu"], "rb") as file:
+            text = file.read()
+        for word in (b'"w"', b'"patch"', b'"texture"', b'"fiber"'):
+            self.assertIn(word, text)
+        again = self.path("again.glb")
+        run("product", self.ridges, "-o", again, "--threads", "1")
+        with open(names["glb"], "rb") as one, open(again, "rb") as two:
+            self.assertEqual(one.read(), two.read())
+
+    def test_bad_solids(self):
+        cube = [[x, y, z] for z in (0.0, 1.0) for y in (0.0, 1.0) for x in (0.0, 1.0)]
+        six = [[0, 1, 3, 7], [0, 3, 2, 7], [0, 2, 6, 7], [0, 6, 4, 7], [0, 4, 5, 7], [0, 5, 1, 7]]
+        inverted = [six[0][:2] + [six[0][3], six[0][2]]] + six[1:]
+        self.assertIn("inverted", self.refused(self.write("inverted.mesh", cube, inverted)))
+        flat = [p[:2] + [0.0] for p in cube]
+        self.assertIn("flat", self.refused(self.write("flat.mesh", flat, six)))
+        # Two cubes apart, and two that share a vertex only.
+        apart = cube + [[p[0] + 5, p[1], p[2]] for p in cube]
+        self.assertIn("2 pieces", self.refused(self.write("apart.mesh", apart, six + [[v + 8 for v in t] for t in six])))
+        # A shell: 26 of 27 cubes.
+        grid = [[float(x), float(y), float(z)] for z in range(4) for y in range(4) for x in range(4)]
+        shell = []
+        for x, y, z in ((x, y, z) for x in range(3) for y in range(3) for z in range(3) if (x, y, z) != (1, 1, 1)):
+            corner = [(x + (k & 1)) + 4 * (y + (k >> 1 & 1)) + 16 * (z + (k >> 2)) for k in range(8)]
+            shell += [[corner[v] for v in t] for t in six]
+        self.assertIn("boundary of the solid has 2 components", self.refused(self.write("shell.mesh", grid, shell)))
+
+    def test_bad_partitions(self):
+        self.assertIn("label 9", self.refused(self.ridges, "--labels", "1,9"))
+        # Floor and hole's wall: they touch.
+        self.assertNotEqual(self.refused(self.ridges, "--labels", "1,3"), "")
+        self.assertIn("v99999", self.refused(self.ridges, "--floor", "v99999", "--ceiling", "v2"))
+        self.assertIn("--floor and --ceiling", self.refused(self.ridges, "--floor", "v1"))
+        self.assertIn("--labels", self.refused(self.ridges, "--labels", "1"))
+        self.assertIn("no triangles with labels", self.refused(self.smooth, "--labels", "1,2"))
+
+    def test_bad_options(self):
+        self.assertIn("--layers", self.refused(self.ridges, "--layers", "3"))
+        self.assertIn("--corners", self.refused(self.ridges, "--corners", "1,2,3,4"))
+        self.assertIn("four vertices", self.refused(self.ridges, "--floor-map", "rectangle", "--corners", "1,2,3"))
+        self.assertIn("extension", self.refused(self.ridges, "-o", self.path("never.tri")))
+
+
 class Slit(InAFolder):
     def setUp(self):
         super().setUp()

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Tests pages that `tetrarch slit` wrote, in Chromium without a window:
+// Tests pages that `tetrarch slit` and `tetrarch product` wrote, in Chromium without a window:
 //   node tests/viewer/texture_test.mjs [--modules FOLDER] PAGE.html...
 // FOLDER is the node_modules of a build. Prints what was checked; ends with 1 when something is wrong.
 import { readFileSync } from 'node:fs';
@@ -32,6 +32,23 @@ async function changes(visit, eyes, act) {
 
 const percent = (shares) => shares.map((share) => `${(100 * share).toFixed(1)} %`).join(' and ');
 
+/// What only pages of solids have: a field, patches, and an inside.
+const SOLID_ACTS = (visit) => ({
+  'a field': () => visit.tab.selectOption('#pattern', 'field'),
+  'fewer levels': () => visit.slide('squares', 12),
+  'levels as before': () => visit.slide('squares', 40),
+  'seeing inside': () => visit.tab.check('#inside'),
+  'fibres inside': () => visit.tab.uncheck('#lines'),
+  'fibres inside again': () => visit.tab.check('#lines'),
+  'seeing the outside': () => visit.tab.uncheck('#inside'),
+  patches: () => visit.tab.selectOption('#pattern', 'patches'),
+  'squares again': () => visit.tab.selectOption('#pattern', 'squares'),
+});
+
+async function isSolid(visit) {
+  return (await visit.tab.locator('#pattern option[value=patches]').count()) > 0;
+}
+
 async function checkControls(visit, eyes, name) {
   const first = await panes(visit);
   const acts = {
@@ -42,6 +59,7 @@ async function checkControls(visit, eyes, name) {
     'as many as before': () => visit.slide('squares', 40),
     'no loops': () => visit.tab.uncheck('#lines'),
     loops: () => visit.tab.check('#lines'),
+    ...((await isSolid(visit)) && SOLID_ACTS(visit)),
   };
   for (const [what, act] of Object.entries(acts)) {
     const shares = await changes(visit, eyes, act);
@@ -129,7 +147,15 @@ async function checkPage(browser, eyes, file) {
   console.log(name);
   const visit = await Visit.open(browser, file);
   check((await visit.tab.locator('#tables table').count()) > 0, `${name}: there are no tables`);
-  check((await visit.tab.locator('#legend li').count()) > 0, `${name}: no loop has a name`);
+  if (await isSolid(visit)) {
+    await visit.tab.selectOption('#pattern', 'patches');
+    const named = await visit.tab.locator('#legend li').allTextContents();
+    check(/^floor ceiling wall 0\b/.test(named.join(' ')), `${name}: the patches are ${named}`);
+    await visit.after(() => visit.tab.selectOption('#pattern', 'squares'));
+  } else {
+    check((await visit.tab.locator('#legend li').count()) > 0, `${name}: no loop has a name`);
+    check(!(await visit.tab.locator('#inside').isVisible()), `${name}: a surface has no inside`);
+  }
   for (const id of CONTROLS) {
     const named = await visit.tab
       .locator(`#${id}`)

@@ -70,6 +70,7 @@ Run declare_view(CLI::App& app);
 Run declare_bundle(CLI::App& app);
 Run declare_slit(CLI::App& app);
 Run declare_register(CLI::App& app);
+Run declare_product(CLI::App& app);
 Run declare_census_gluings(CLI::App& app);
 Run declare_census_enumerate(CLI::App& app);
 Run declare_census_validate(CLI::App& app);

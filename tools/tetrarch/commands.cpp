@@ -36,6 +36,8 @@ const std::vector<Command>& commands() {
        "a surface with holes resampled with the triangles of another one, through circular domains",
        "tetrarch register tests/data/mesh/ring_two_holes.off tests/data/mesh/ring_two_holes.off",
        declare_register},
+      {"product", "coordinates of a handlebody in (a disk with holes) x (an interval); hexahedral meshes",
+       "tetrarch product tests/data/genus4_ridges.mesh --labels 1,2 --hex 30 -o genus4.vtu", declare_product},
       {"census gluings", "all closed gluings of N tetrahedra up to isomorphism, as signatures, one a line",
        "tetrarch census gluings --tetrahedra 2 --orientable --ideal", declare_census_gluings},
       {"census enumerate", "classify the manifolds of N tetrahedra from nothing, one JSON object a line",

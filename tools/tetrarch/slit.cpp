@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "command.hpp"
+#include "in_file.hpp"
 #include "output.hpp"
 #include "slit_openings.hpp"
 #include "slit_report.hpp"
@@ -71,16 +72,6 @@ void check(const Options& options) {
   if (!options.is_circular() && !options.center.empty()) throw InputError("--center needs --domain circular");
   if (options.is_circular() && options.quads > 0)
     throw InputError("--quads needs a domain with slits, not --domain circular");
-}
-
-/// What is wrong with a triangle is wrong in a file.
-template <class Job>
-auto in_file(const std::string& path, const Job& job) {
-  try {
-    return job();
-  } catch (const InputError& e) {
-    throw InputError({path, 0}, e.what());
-  }
 }
 
 /// A map with everything that is told of it.

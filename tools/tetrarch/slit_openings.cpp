@@ -2,6 +2,7 @@
 #include "slit_openings.hpp"
 
 #include "text.hpp"
+#include "vertex_names.hpp"
 
 #include "tetrarch/core/error.hpp"
 #include "tetrarch/format/text.hpp"
@@ -15,17 +16,6 @@
 namespace tetrarch::program {
 namespace {
 
-/// Of "v17" or "17".
-std::optional<long long> vertex_in(std::string_view word) {
-  if (word.starts_with('v')) word.remove_prefix(1);
-  const auto number = format::parse_integer(word);
-  return number && *number >= 0 ? number : std::nullopt;
-}
-
-InputError refusal(const char* option, const std::string& word, const std::string& why) {
-  return InputError(std::string(option) + " " + in_quotes(word) + ": " + why);
-}
-
 mesh::RoundHole round_hole(const std::string& word) {
   const std::size_t colon = word.find(':');
   const auto vertex = vertex_in(std::string_view(word).substr(0, colon));
@@ -35,20 +25,6 @@ mesh::RoundHole round_hole(const std::string& word) {
   if (!vertex || !radius || !(*radius > 0))
     throw refusal("--punch", word, "expected a vertex and a radius, such as v17:0.5");
   return {*vertex, *radius};
-}
-
-std::vector<long long> path(const std::string& word) {
-  std::vector<long long> vertices;
-  std::string_view rest = word;
-  while (true) {
-    const std::size_t comma = rest.find(',');
-    const auto vertex = vertex_in(rest.substr(0, comma));
-    if (!vertex)
-      throw refusal("--slice", word, "expected vertices with commas between them, such as 3,17,20");
-    vertices.push_back(*vertex);
-    if (comma == std::string_view::npos) return vertices;
-    rest.remove_prefix(comma + 1);
-  }
 }
 
 } // namespace
@@ -63,7 +39,7 @@ mesh::OpenedMesh opened(const SurfaceInput& surface, const Openings& openings, c
   for (const std::string& word : openings.punch) holes.push_back(round_hole(word));
   if (!holes.empty()) result = mesh::punch(result, holes);
   std::vector<std::vector<long long>> paths;
-  for (const std::string& word : openings.slice) paths.push_back(path(word));
+  for (const std::string& word : openings.slice) paths.push_back(vertices_in("--slice", word));
   if (!paths.empty()) result = mesh::slice(result, paths);
   if (openings.open_handles) result = mesh::open_handles(result, progress).opened;
   return result;

@@ -27,12 +27,6 @@ Json finite_or_null(double x) {
 
 } // namespace
 
-void Report::add(Report other) {
-  json.update(other.json);
-  rows.insert(rows.end(), other.rows.begin(), other.rows.end());
-  warnings.insert(warnings.end(), other.warnings.begin(), other.warnings.end());
-}
-
 Report loops_report(const mesh::OpenedMesh& surface, const std::vector<mesh::BoundaryLoop>& loops) {
   Report report;
   Json list = Json::array();

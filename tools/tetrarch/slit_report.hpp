@@ -3,7 +3,7 @@
 
 /// What `slit` says of a map, as JSON and as text.
 
-#include "command.hpp"
+#include "report.hpp"
 
 #include "tetrarch/mesh/opened.hpp"
 #include "tetrarch/slit/circular_map.hpp"
@@ -12,21 +12,9 @@
 #include "tetrarch/slit/quality.hpp"
 #include "tetrarch/slit/unflip.hpp"
 
-#include <optional>
-#include <string>
-#include <utility>
 #include <vector>
 
 namespace tetrarch::program {
-
-/// The same facts twice.
-struct Report {
-  Json json = Json::object();
-  std::vector<std::pair<std::string, std::string>> rows; ///< for `block`
-  std::vector<std::string> warnings;
-
-  void add(Report other);
-};
 
 Report loops_report(const mesh::OpenedMesh& surface, const std::vector<mesh::BoundaryLoop>& loops);
 /// `on_ring`: slits have radii, else heights.

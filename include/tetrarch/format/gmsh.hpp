@@ -19,8 +19,8 @@
 ///     $EndElements
 ///
 /// Points and lines are passed over, surfaces other than triangles with a warning; volume elements other than
-/// tetrahedra of four nodes are refused, since the rest would be another solid. Other sections are passed
-/// over. The short-lived version 4.0 is refused. Nodes are points in the order of the file.
+/// tetrahedra of four nodes are refused, since the rest would be another solid. Of $Entities the physical
+/// groups of surfaces are taken, for the tags of triangles; other sections are passed over. The short-lived version 4.0 is refused. Nodes are points in the order of the file.
 /// Source: Gmsh reference manual, "MSH file format" and "Legacy formats".
 
 #include "tetrarch/format/soup.hpp"

@@ -7,11 +7,11 @@
 ///     Dimension 3
 ///     Vertices
 ///     4                        how many
-///     0 0 0 1                  coordinates and a reference, an integer that is passed over here
+///     0 0 0 1                  coordinates and a reference, an integer that is passed over
 ///     ...
 ///     Triangles
 ///     4
-///     1 3 2 7                  three vertices, counted from 1, and a reference
+///     1 3 2 7                  three vertices, counted from 1, and a reference: its tag
 ///     ...
 ///     Tetrahedra
 ///     1
@@ -25,14 +25,23 @@
 
 #include "tetrarch/format/soup.hpp"
 
+#include <array>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace tetrarch::format {
 
 /// Throws InputError. O(length).
 Soup read_medit(std::string_view text, const std::string& source);
-/// All references are 0. O(size).
+/// The references of triangles are their tags; all others are 0. O(size).
 std::string write_medit(const Soup& soup);
+
+/// Hexahedra alone: vertices bottom counterclockwise from above, then top likewise, which is the order of
+/// Gmsh too. `references` are one for each, or none: 0. Throws PreconditionError for an index out of range,
+/// and for other numbers of references. O(size).
+std::string write_medit_hexahedra(const std::vector<std::array<double, 3>>& points,
+                                  const std::vector<std::array<int, 8>>& hexahedra,
+                                  const std::vector<int>& references = {});
 
 } // namespace tetrarch::format

@@ -10,7 +10,7 @@
 /// Every element remembers the number that the file calls it by and the line it stands on, so that whoever
 /// finds a fault can name the place. Indices count from 0 here, whatever the file counts from; nothing is
 /// checked but that they are integers. A soup of n tetrahedra takes 16 bytes for each, 24 for each point, 12
-/// for each triangle; numbers and lines take next to nothing, as they are kept as runs.
+/// for each triangle (16 with its tag); numbers and lines take next to nothing, as they are kept as runs.
 
 #include "tetrarch/core/error.hpp"
 
@@ -61,6 +61,9 @@ struct Soup {
   std::vector<std::array<double, 3>> points;
   std::vector<std::array<int, 4>> tetrahedra;
   std::vector<std::array<int, 3>> triangles;
+  /// Of each triangle, the patch that the file counts it to: MEDIT's reference, Gmsh's physical group (or,
+  /// without one, its surface). Empty if the file has none, or 0 everywhere.
+  std::vector<int> triangle_tags;
   Labels point_labels;
   Labels tetrahedron_labels;
   Labels triangle_labels;

@@ -56,8 +56,8 @@ Surface swept(const Tubes& tubes, int sides = 8);
 
 /// The faces of cells that belong to one cell only, quadrilaterals cut in two, seen counter-clockwise from
 /// outside; a quadrilateral is never the same face as two triangles. Of the points, those on these faces,
-/// with the u and v of their texture coordinates; the data are those of the cell. O(size), 4 bytes for each
-/// face of a cell besides the result. Throws PreconditionError.
+/// with the u and v of their texture coordinates and their fields; the data and fields of a triangle are
+/// those of the cell. O(size), 4 bytes for each face of a cell besides the result. Throws PreconditionError.
 Surface outer_faces(const Cells& cells);
 
 } // namespace tetrarch::scene

@@ -12,10 +12,13 @@
 ///                     |  # # (#) # /    | # #(#)# # |    the map is conformal its squares stay squares,
 ///                      \_# # #__#_/    | # # # # # |    of whatever size
 ///                        surface           domain
+///
+///                   or the boundary of a solid beside that of its domain, with fibres, a field, and patches
 
 #include "tetrarch/scene/body.hpp"
 #include "tetrarch/scene/scene.hpp"
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -37,13 +40,18 @@ struct Page {
 };
 
 /// Of each scene the first surface is shown, which must have texture coordinates, and the tubes as lines of
-/// the colours of their polylines; those with data `loop` are told apart by it, others by their number. A
-/// domain all of whose points have the same z is looked at from above.
+/// the colours of their polylines; those with data `loop` are told apart by it, others by their number, but
+/// those with data `fiber` not at all. A domain all of whose points have the same z is looked at from above.
+/// Where a surface has a field at points, the first can be shown with level lines; where it has data `patch`,
+/// each patch in the colour of its first triangle, as floor, ceiling, wall 0, ...
 struct TexturePage {
   std::string title;
   std::vector<InfoTable> tables;
   Scene surface;
   Scene domain;
+  std::string lines = "Loops"; ///< what the tubes are
+  /// How long a unit of v is to one of u, for patterns; if absent, as in the domain.
+  std::optional<double> v_by_u{};
 };
 
 /// What the page's script reads, as JSON: version 1 of "tetrarch view". Points are 32-bit floats in base 64.
@@ -52,8 +60,8 @@ struct TexturePage {
 std::string page_data(const Page& page);
 
 /// Likewise: version 1 of "tetrarch texture". Each scene is moved and scaled into the unit ball, and has the
-/// triangles and texture coordinates only where they differ from the surface's. O(size). Throws
-/// PreconditionError for scenes that break their rules (scene.hpp), or have no surface with textures.
+/// triangles, texture coordinates, field and patches only where they differ from the surface's. O(size).
+/// Throws PreconditionError for scenes that break their rules (scene.hpp), or have no surface with textures.
 std::string page_data(const TexturePage& page);
 
 /// The page, or nothing where the viewer is missing: see `viewer_missing_reason`.

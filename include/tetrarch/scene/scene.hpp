@@ -41,7 +41,7 @@ struct Data {
   std::vector<int> values;
 };
 
-/// A real number on every triangle or at every point: an error, a potential, an angle.
+/// A real number on every triangle or cell, or at every point: an error, a potential, an angle.
 struct Field {
   /// Like those of data, and none of theirs; at points not x, y, z, nx, ny, nz, radius, texture either.
   std::string name;
@@ -77,6 +77,8 @@ struct Cells {
   std::vector<std::array<int, 8>> hexahedra;   ///< bottom counter-clockwise from above, then top likewise
   std::vector<std::array<double, 3>> textures; ///< none, or (u, v, w) per point
   std::vector<Data> data;                      ///< per cell: the tetrahedra, then the hexahedra
+  std::vector<Field> cell_fields{};            ///< likewise
+  std::vector<Field> point_fields{};           ///< per point
 };
 
 struct Label {

@@ -6,6 +6,9 @@
 const CLASSES = ['#e69f00', '#56b4e9', '#009e73', '#f0e442', '#0072b2', '#d55e00', '#cc79a7'];
 const LENGTHS = ['#ffe08a', '#f6b26b', '#e0787c', '#b0568f', '#75449a', '#45387f', '#262450'];
 
+/// A field from low to high: five colours of viridis (Smith and van der Walt 2015), of even steps in lightness.
+export const SCALE = ['#440154', '#3b528b', '#21918c', '#5ec962', '#fde725'];
+
 export const THEMES = {
   light: {
     background: '#f7f7f4',

@@ -7,14 +7,23 @@ function readLines(lines, where) {
   const count = lines.starts.length - 1;
   demand(
     3 * lines.starts[count] === points.length &&
-      lines.numbers.length === count &&
+      (lines.numbers.length === count || lines.numbers.length === 0) &&
       lines.colours.length === count,
     `${where}: the polylines differ in number.`,
   );
   return { ...lines, points };
 }
 
-/// A pane has the triangles and the texture coordinates of the one before it, where it has none of its own.
+function readField(field, where) {
+  return field && { name: field.name, values: unpack(field.values, Float32Array, `${where}: the field`) };
+}
+
+function readPatches(patches, where) {
+  return patches && { list: patches.list, of: unpack(patches.of, Int32Array, `${where}: patches`) };
+}
+
+/// A pane has the triangles, the texture coordinates, the field and the patches of the one before it, where it
+/// has none of its own; null says that there are none.
 function readPane(pane, before, where) {
   const read = {
     name: pane.name,
@@ -26,6 +35,8 @@ function readPane(pane, before, where) {
     textures: pane.textures
       ? unpack(pane.textures, Float32Array, `${where}: texture coordinates`)
       : before.textures,
+    field: pane.field === undefined ? before.field : readField(pane.field, where),
+    patches: pane.patches === undefined ? before.patches : readPatches(pane.patches, where),
     lines: pane.lines.map((lines, i) => readLines(lines, `${where}, lines ${i}`)),
   };
   const count = read.points.length / 3;
@@ -37,15 +48,20 @@ function readPane(pane, before, where) {
     read.triangles.every((index) => index < count),
     `${where}: a triangle names a point that is not there.`,
   );
+  demand(
+    (read.field?.values.length ?? count) === count &&
+      (read.patches?.of.length ?? read.triangles.length / 3) === read.triangles.length / 3,
+    `${where}: the field or the patches are not as many as the points and triangles.`,
+  );
   return read;
 }
 
 /// The scene in the text, or a SceneError.
 export function readScene(text) {
-  return readData(text, 'tetrarch texture', 'tetrarch slit', (data) => {
+  return readData(text, 'tetrarch texture', 'tetrarch', (data) => {
     const panes = [];
     for (const pane of data.panes) panes.push(readPane(pane, panes.at(-1), `pane ${panes.length}`));
     demand(panes.length > 0, 'The scene is empty.');
-    return { panes, vByU: data.v_by_u };
+    return { panes, vByU: data.v_by_u, linesName: data.lines };
   });
 }

@@ -37,16 +37,49 @@ export function standing(pane) {
   return [sum[0], -sum[2], sum[1]].map((x, i) => x / size + ASIDE[i]);
 }
 
-/// A normal of any length for each point, the mean over its triangles by area. Points at the same place, as on a seam of the
-/// texture coordinates, have the same: the seam is no crease.
+/// The pane with points doubled where patches meet, and `patchOf` of each point.
+export function splitByPatch(pane) {
+  const { triangles, patches } = pane;
+  const split = new Map();
+  const from = [];
+  const patchOf = [];
+  const corners = triangles.map((corner, i) => {
+    const patch = patches.of[Math.floor(i / 3)];
+    const key = corner * 0x10000 + patch;
+    if (!split.has(key)) {
+      split.set(key, from.length);
+      from.push(corner);
+      patchOf.push(patch);
+    }
+    return split.get(key);
+  });
+  const picked = (list, size) => {
+    const out = new Float32Array(size * from.length);
+    from.forEach((old, i) => out.set(list.subarray(size * old, size * (old + 1)), size * i));
+    return out;
+  };
+  return {
+    ...pane,
+    triangles: corners,
+    points: picked(pane.points, 3),
+    textures: picked(pane.textures, 2),
+    field: pane.field && { ...pane.field, values: picked(pane.field.values, 1) },
+    patchOf,
+  };
+}
+
+/// A normal of any length for each point, the mean over its triangles by area. Points at the same place, as on
+/// a seam of the texture coordinates, have the same: the seam is no crease. But where patches meet there may be
+/// one, and if there is none, the means over both sides differ little.
 export function normals(pane) {
-  const { points } = pane;
+  const { points, patchOf } = pane;
   const first = new Map();
   const same = new Uint32Array(points.length / 3);
   for (let i = 0; i < same.length; ++i) {
     // One number for a place: a text would take longer than all the rest. Places that share it by chance are
     // so few that nobody will see a wrong normal there.
-    const key = points[3 * i] + Math.SQRT2 * points[3 * i + 1] + Math.PI * points[3 * i + 2];
+    const key =
+      points[3 * i] + Math.SQRT2 * points[3 * i + 1] + Math.PI * points[3 * i + 2] + 7 * (patchOf?.[i] ?? 0);
     if (!first.has(key)) first.set(key, i);
     same[i] = first.get(key);
   }
@@ -56,4 +89,14 @@ export function normals(pane) {
   });
   same.forEach((i, j) => list.copyWithin(3 * j, 3 * i, 3 * i + 3));
   return list;
+}
+
+/// The lowest and the highest of many numbers.
+export function range(values) {
+  let [low, high] = [Infinity, -Infinity];
+  for (const x of values) {
+    low = Math.min(low, x);
+    high = Math.max(high, x);
+  }
+  return [low, high];
 }

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+/// Solids with coordinates (u, v, w), and hexahedral meshes, to look at and as files.
+///
+///        solid                  domain             Tetrahedra for programs (.vtu), the boundary for the eye:
+///       .-------.              .--------.          its texture coordinates are (u, v), so that patterns run
+///      /  ,-.  / \            /  ,-.   /|          up the walls along the fibres; its colours are those of
+///     |  '-'  |  |           /--------/ |          the patches, floor, ceiling, walls; field w at points.
+///      \_____/|_/            |________|/
+///
+/// `uvw` is of each vertex of the solid, all finite, everywhere here; other lengths throw PreconditionError.
+/// Everything is O(n), but for `outer_edges`: O(n log n).
+
+#include "tetrarch/product/partition.hpp"
+#include "tetrarch/scene/scene.hpp"
+
+#include <array>
+#include <vector>
+
+namespace tetrarch::scene {
+
+/// The tetrahedra in space, textures (u, v, w), field w at points.
+Cells product_cells(const product::Solid& solid, const std::vector<Point>& uvw);
+/// The same tetrahedra at (u, v, w).
+Cells domain_cells(const product::Solid& solid, const std::vector<Point>& uvw);
+
+/// The boundary with its patches, as colours and as data `patch`: 0 floor, 1 ceiling, 2.. walls. Triangles
+/// and points are those of the solid's boundary.
+Surface boundary_surface(const product::Solid& solid, const product::Partition& partition,
+                         const std::vector<Point>& uvw);
+/// The same surface at (u, v, w).
+Surface domain_surface(const product::Solid& solid, const product::Partition& partition,
+                       const std::vector<Point>& uvw);
+
+/// Fibres, in space or in the domain: each a polygon of at least two points. Data `fiber`, their number.
+Tubes fibers(const std::vector<std::vector<Point>>& paths);
+
+struct HexahedraData {
+  std::vector<double> quality; ///< scaled Jacobian of each cell: field `quality`
+  std::vector<int> layer;      ///< of each cell, from the floor: data `layer`
+};
+
+/// Hexahedra as they are, with vertices bottom counterclockwise from above, then top likewise.
+Cells hexahedra(const std::vector<Point>& points, const std::vector<std::array<int, 8>>& cells,
+                const HexahedraData& data);
+
+/// The edges of the outer faces of hexahedra, each once, as polylines of two points.
+Tubes outer_edges(const Cells& hexahedra);
+
+} // namespace tetrarch::scene

@@ -1,0 +1,368 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "command.hpp"
+#include "in_file.hpp"
+#include "output.hpp"
+#include "product_partition.hpp"
+#include "product_report.hpp"
+#include "text.hpp"
+#include "vertex_names.hpp"
+
+#include "tetrarch/core/error.hpp"
+#include "tetrarch/format/medit.hpp"
+#include "tetrarch/format/mesh_files.hpp"
+#include "tetrarch/format/text.hpp"
+#include "tetrarch/mesh/repair.hpp"
+#include "tetrarch/mesh/validate.hpp"
+#include "tetrarch/scene/files.hpp"
+#include "tetrarch/scene/page.hpp"
+#include "tetrarch/scene/product.hpp"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <chrono>
+#include <memory>
+#include <optional>
+
+namespace tetrarch::program {
+namespace {
+
+using product::Point;
+using scene::SceneFormat;
+
+struct Options {
+  std::string input;
+  std::vector<std::string> outputs;
+  PartitionOptions partition;
+  std::string floor_map = "circular";
+  std::string corners;
+  double height = 0; ///< 0: the one that keeps the floor's aspect ratio
+  std::string follow = "smoothed";
+  std::string show = "solid";
+  int fibers = 60;
+  int hex = 0;
+  int layers = 0; ///< 0: cells as high as wide
+  bool smooth = false;
+  std::string weights = "auto";
+  bool anyway = false;
+  bool repair = false;
+};
+
+/// A solid with all that is told of it.
+struct Made {
+  product::Prepared at;
+  std::vector<Point> uvw;
+  std::vector<std::vector<Point>> fibers;   ///< in space
+  std::vector<std::vector<Point>> straight; ///< the same in the domain
+  std::optional<product::SolidHexahedra> hexahedra;
+  std::vector<double> scaled_jacobian;
+  int cells = 0; ///< of the grid: hexahedra in a layer
+  Report report;
+  Status status = Status::done;
+};
+
+void check(const Options& options) {
+  for (const std::string& path : options.outputs) {
+    require_folder(path);
+    if (!scene::scene_format_for_extension(path) && !format::has_extension(path, ".mesh") &&
+        !format::has_extension(path, ".html"))
+      throw InputError({path, 0}, "nothing that can be written has this extension (expected .vtu, .mesh, "
+                                  ".glb, .ply, .obj or .html)");
+    if (format::has_extension(path, ".html") && scene::texture_viewer_page().empty())
+      throw InputError({path, 0}, std::string(scene::viewer_missing_reason()));
+  }
+  if (options.hex == 0 && options.layers > 0) throw InputError("--layers needs --hex");
+  if (options.hex == 0 && options.smooth) throw InputError("--smooth needs --hex");
+  if (options.floor_map != "rectangle" && !options.corners.empty())
+    throw InputError("--corners needs --floor-map rectangle");
+}
+
+format::Soup read(const Options& options, Report& report) {
+  format::Soup soup = format::read_soup_file(options.input);
+  report.warnings = soup.warnings;
+  if (!options.repair) return soup;
+  mesh::Repaired repaired = mesh::repair(std::move(soup));
+  report.warnings.insert(report.warnings.end(), repaired.done.begin(), repaired.done.end());
+  return std::move(repaired.soup);
+}
+
+/// Tetrahedra without volume are told by the numbers and lines of the file.
+void refuse_volumes(const format::Soup& soup, const mesh::Report& report) {
+  const auto bad = [](const mesh::Finding& f) {
+    return f.kind == mesh::Kind::inverted || f.kind == mesh::Kind::flat;
+  };
+  const auto found = std::find_if(report.findings.begin(), report.findings.end(), bad);
+  if (found == report.findings.end()) return;
+  const std::int64_t count = report.count(mesh::Kind::inverted) + report.count(mesh::Kind::flat);
+  throw InputError(mesh::place_of(*found, soup),
+                   found->text + (count > 1 ? ", and " + std::to_string(count - 1) + " more like it" : "") +
+                       (found->kind == mesh::Kind::inverted ? " (--repair turns inverted ones)" : ""));
+}
+
+/// Bad elements are told by the file's own numbers and lines.
+mesh::TetMesh mesh_of(format::Soup soup) {
+  const mesh::Report findings = mesh::validate(soup, 1);
+  if (findings.count(mesh::Severity::fatal) == 0) refuse_volumes(soup, findings);
+  return mesh::build(std::move(soup), findings);
+}
+
+product::FloorOptions floor_options(const Options& options) {
+  product::FloorOptions floor;
+  if (options.floor_map == "rectangle" || options.hex > 0) floor.domain = product::FloorDomain::rectangle;
+  if (options.corners.empty()) return floor;
+  const std::vector<long long> corners = vertices_in("--corners", options.corners);
+  if (corners.size() != floor.corners.size())
+    throw refusal("--corners", options.corners, "expected four vertices");
+  for (std::size_t c = 0; c < corners.size(); ++c) floor.corners[c] = static_cast<int>(corners[c]);
+  return floor;
+}
+
+/// Some of the fibres, from vertices of the floor that are spread over it.
+void add_fibers(Made& made, const product::FiberField& field, const product::FloorMap& floor, int count) {
+  const std::size_t all = floor.vertex.size();
+  const std::size_t wanted = std::min(all, static_cast<std::size_t>(count));
+  for (std::size_t k = 0; k < wanted; ++k) {
+    const std::size_t v = k * all / wanted;
+    std::vector<Point> path;
+    const product::Fiber fiber = field.trace(field.at_vertex(floor.vertex[v]), product::Way::up, path);
+    if (path.size() < 2) continue;
+    made.fibers.push_back(std::move(path));
+    const std::complex<double> uv = floor.position[v];
+    made.straight.push_back({{uv.real(), uv.imag(), 0},
+                             {uv.real(), uv.imag(), product::value_at(field.solid(), field.w(), fiber.at)}});
+  }
+}
+
+void add_hexahedra(Made& made, const product::FiberField& field, const product::FloorMap& floor,
+                   const Options& options, const Context& context) {
+  const product::FloorGrid grid =
+      product::floor_grid(floor.height, floor.rectangles, {.across = options.hex});
+  product::HexOptions hex;
+  hex.threads = context.threads;
+  hex.layers = options.layers > 0 ? options.layers
+                                  : std::max(1, static_cast<int>(std::lround(options.hex * field.height())));
+  made.hexahedra = product::hexahedra(field, grid, product::nodes_on_floor(field.solid(), floor, grid), hex,
+                                      context.progress);
+  made.cells = static_cast<int>(grid.cells.size());
+  made.report.add(grid_report(grid));
+  product::HexQuality quality = product::quality(made.hexahedra->mesh);
+  if (options.smooth) {
+    const product::HexQuality before = std::move(quality);
+    const product::Smoothed smoothed =
+        product::smooth(made.hexahedra->mesh, made.hexahedra->on_boundary, {}, context.progress);
+    made.report.add(smoothed_report(smoothed, before));
+    quality = product::quality(made.hexahedra->mesh);
+  }
+  made.report.add(hexahedra_report(*made.hexahedra, quality));
+  made.scaled_jacobian = std::move(quality.scaled_jacobian);
+}
+
+/// Fibres and what hangs on them, of a field without critical places.
+void add_coordinates(Made& made, const product::FloorMap& floor, const product::HarmonicField& field,
+                     const Options& options, const Context& context) {
+  const product::FiberField fibers(made.at.solid, made.at.partition, field.w,
+                                   options.follow == "gradient" ? product::Direction::gradient
+                                                                : product::Direction::smoothed);
+  product::Coordinates coordinates = product::coordinates(fibers, floor, context.threads, context.progress);
+  made.report.add(coordinates_report(coordinates));
+  made.uvw = std::move(coordinates.uvw);
+  made.report.add(quality_report(product::quality(made.at.solid, made.uvw)));
+  made.report.add(confirmation_report(product::confirm(fibers, context.threads, context.progress)));
+  add_fibers(made, fibers, floor, options.fibers);
+  if (options.hex > 0 && floor.found) add_hexahedra(made, fibers, floor, options, context);
+}
+
+struct Field {
+  product::HarmonicField harmonic;
+  product::CriticalPlaces critical;
+  bool clamped = false;
+};
+
+/// With cotangent weights; where they leave critical places, and nobody asked for them, with clamped ones.
+Field solved(const product::Prepared& at, double height, const Options& options, const Context& context) {
+  Field field;
+  for (const bool clamped : {false, true}) {
+    if (options.weights == (clamped ? "cotangent" : "clamped")) continue;
+    field.harmonic = product::harmonic_field(at.solid, at.partition, {.height = height, .clamped = clamped},
+                                             context.progress);
+    field.critical = product::critical_places(at.solid, at.partition, field.harmonic.w);
+    field.clamped = clamped;
+    if (field.critical.none()) break;
+  }
+  return field;
+}
+
+Made make(const Options& options, const Context& context) {
+  Made made;
+  const format::Soup soup = read(options, made.report);
+  mesh::TetMesh mesh = mesh_of(soup);
+  PartitionedSolid start = in_file(options.input, [&] {
+    return partitioned(product::solid(std::move(mesh)), soup, options.partition, context.progress);
+  });
+  made.report.add(partition_report(start.solid, start.partition, start.how));
+  made.at = product::prepared(std::move(start.solid), std::move(start.partition));
+
+  const product::FloorMap floor = in_file(options.input, [&] {
+    return product::floor_map(made.at.solid, made.at.partition, floor_options(options), context.progress);
+  });
+  made.report.add(floor_report(floor));
+  const double height =
+      options.height > 0 ? options.height : product::natural_height(made.at.solid, made.at.partition, floor);
+  const Field field = solved(made.at, height, options, context);
+  made.report.add(field_report(field.harmonic, height, made.at.splits, field.clamped));
+  made.report.add(critical_report(made.at.solid, field.critical));
+  if (!floor.found) made.status = Status::undecided;
+  if (!field.critical.none()) {
+    made.status = Status::proved_no;
+    if (!options.anyway) {
+      made.report.warnings.emplace_back(
+          "the field has critical places, so it makes no product; nothing is written (--anyway goes on)");
+      return made;
+    }
+  }
+  add_coordinates(made, floor, field.harmonic, options, context);
+  return made;
+}
+
+scene::Scene hexahedra_scene(const Made& made, const std::string& title, SceneFormat format) {
+  scene::HexahedraData data{made.scaled_jacobian, {}};
+  // Without those left out a layer has no fixed number of cells; then their layers are not told.
+  const std::size_t count = made.hexahedra->mesh.hexahedra.size();
+  for (std::size_t k = 0; k < count; ++k)
+    data.layer.push_back(made.hexahedra->left_out == 0 ? static_cast<int>(k) / made.cells : -1);
+  scene::Scene scene{title, {}, {}, {}, {}};
+  scene.cells.push_back(scene::hexahedra(made.hexahedra->mesh.points, made.hexahedra->mesh.hexahedra, data));
+  if (format != SceneFormat::vtu) scene.tubes.push_back(scene::outer_edges(scene.cells.front()));
+  return scene;
+}
+
+scene::Scene product_scene(const Made& made, const std::string& title, bool in_domain, bool with_cells) {
+  scene::Scene scene{title, {}, {}, {}, {}};
+  const product::Solid& solid = made.at.solid;
+  scene.surfaces.push_back(in_domain ? scene::domain_surface(solid, made.at.partition, made.uvw)
+                                     : scene::boundary_surface(solid, made.at.partition, made.uvw));
+  if (!made.fibers.empty()) scene.tubes.push_back(scene::fibers(in_domain ? made.straight : made.fibers));
+  if (with_cells)
+    scene.cells.push_back(in_domain ? scene::domain_cells(solid, made.uvw)
+                                    : scene::product_cells(solid, made.uvw));
+  return scene;
+}
+
+/// The tetrahedra, those of edges split included, and the boundary with its patches: 1 floor, 2 ceiling, 3
+/// and on walls.
+std::string labelled_mesh(const Made& made) {
+  const product::Solid& solid = made.at.solid;
+  format::Soup soup;
+  soup.points = solid.mesh.points;
+  soup.tetrahedra = solid.mesh.tetrahedra;
+  for (int t = 0; t < solid.boundary.triangle_count(); ++t) {
+    soup.triangles.push_back({solid.corner(t, 0), solid.corner(t, 1), solid.corner(t, 2)});
+    soup.triangle_tags.push_back(made.at.partition.patch[t] + 1);
+  }
+  return format::write_medit(soup);
+}
+
+std::string page(const Made& made, const std::string& title) {
+  scene::InfoTable table{"Product", {}, {}};
+  for (const auto& [name, value] : made.report.rows) table.rows.push_back({name, value});
+  return scene::write_page(scene::TexturePage{title,
+                                              {std::move(table)},
+                                              product_scene(made, "solid", false, false),
+                                              product_scene(made, "domain", true, false)});
+}
+
+std::string file(const std::string& path, const Made& made, const Options& options) {
+  if (format::has_extension(path, ".mesh"))
+    return made.hexahedra
+               ? format::write_medit_hexahedra(made.hexahedra->mesh.points, made.hexahedra->mesh.hexahedra)
+               : labelled_mesh(made);
+  if (format::has_extension(path, ".html")) return page(made, options.input);
+  const SceneFormat format = *scene::scene_format_for_extension(path);
+  return scene::write_scene(made.hexahedra ? hexahedra_scene(made, options.input, format)
+                                           : product_scene(made, options.input, options.show == "domain",
+                                                           format == SceneFormat::vtu),
+                            format);
+}
+
+Result run_product(const Options& options, const Context& context) {
+  check(options);
+  const auto start = std::chrono::steady_clock::now();
+  Made made = make(options, context);
+  made.report.json["seconds"] =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  Result result;
+  result.status = made.status;
+  if (!made.uvw.empty())
+    for (const std::string& path : options.outputs) result.files.push_back({path, file(path, made, options)});
+  result.text = block(made.report.rows);
+  result.json = std::move(made.report.json);
+  result.warnings = std::move(made.report.warnings);
+  return result;
+}
+
+} // namespace
+
+Run declare_product(CLI::App& app) {
+  const auto o = std::make_shared<Options>();
+  app.add_option("MESH", o->input, "a handlebody of tetrahedra: .mesh, .msh, .node/.ele, .vtk or .vtu")
+      ->required();
+  app.add_option(
+      "--labels", o->partition.labels,
+      "labels of floor and ceiling among the triangles of the file, such as 1,2; walls have others "
+      "or none");
+  app.add_option(
+      "--floor", o->partition.floor,
+      "a seed for the floor, v17: vertex 17, counted from 0; from there on, triangles are flooded");
+  app.add_option("--ceiling", o->partition.ceiling, "a seed for the ceiling");
+  app.add_option("--threshold", o->partition.threshold,
+                 "of flooding: how far normals may differ from that at the seed, as 1 - cosine")
+      ->check(CLI::Range(0.0, 2.0))
+      ->capture_default_str();
+  app.add_option("--cycle", o->partition.cycles,
+                 "a rim between floor or ceiling and wall: vertices along boundary edges, 3,17,20; repeated")
+      ->allow_extra_args(false);
+  app.add_option("--tunnel", o->partition.tunnels,
+                 "a loop around a wall, likewise; with --extend; repeated, once for each wall")
+      ->allow_extra_args(false);
+  app.add_option("--extend", o->partition.extend, "how far tunnel loops are extended to both sides");
+  app.add_option("--outer", o->partition.outer,
+                 "a vertex on the wall that is to be the outer one (default: that with the longest rim)");
+  app.add_option("--floor-map", o->floor_map,
+                 "the unit disk with round holes, or a rectangle with rectangular ones")
+      ->check(CLI::IsMember({"circular", "rectangle"}))
+      ->capture_default_str();
+  app.add_option("--corners", o->corners,
+                 "of the rectangle: four vertices of the outer rim, such as 3,17,20,8");
+  app.add_option("--height", o->height, "of the domain (default: that which keeps the floor's aspect ratio)")
+      ->check(CLI::PositiveNumber);
+  app.add_option("--follow", o->follow,
+                 "what fibres follow: means of the gradient at vertices, or the gradient itself")
+      ->check(CLI::IsMember({"smoothed", "gradient"}))
+      ->capture_default_str();
+  app.add_option("--weights", o->weights,
+                 "of the field: cotangents, or those with negative ones set to 0, so that it has no extrema "
+                 "inside; auto takes these where cotangents leave critical places")
+      ->check(CLI::IsMember({"auto", "cotangent", "clamped"}))
+      ->capture_default_str();
+  app.add_flag("--anyway", o->anyway, "go on where the field has critical places");
+  app.add_option("--hex", o->hex,
+                 "make hexahedra, so many across the rectangle's width (implies --floor-map rectangle)")
+      ->check(CLI::Range(1, 100'000));
+  app.add_option("--layers", o->layers, "of hexahedra (default: as high as wide)")
+      ->check(CLI::Range(1, 100'000));
+  app.add_flag("--smooth", o->smooth, "improve hexahedra, moving points inside");
+  app.add_option("--show", o->show, "what is written: the solid, or its domain")
+      ->check(CLI::IsMember({"solid", "domain"}))
+      ->capture_default_str();
+  app.add_option("--fibers", o->fibers, "so many fibres are drawn")
+      ->check(CLI::Range(0, 100'000))
+      ->capture_default_str();
+  app.add_option(
+         "-o,--output", o->outputs,
+         "tetrahedra or hexahedra with their data (.vtu, .mesh), the surface with fibres (.glb, .ply, "
+         ".obj), or a page with solid and domain (.html); may be repeated")
+      ->allow_extra_args(false);
+  app.add_flag("--repair", o->repair, "turn inverted tetrahedra, remove duplicates and unused points first");
+  return [o](const Context& context) { return run_product(*o, context); };
+}
+
+} // namespace tetrarch::program

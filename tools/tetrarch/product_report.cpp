@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "product_report.hpp"
+
+#include "text.hpp"
+
+#include <algorithm>
+#include <string_view>
+
+namespace tetrarch::program {
+namespace {
+
+/// Of long lists, so many are told.
+constexpr std::size_t most_told = 10;
+
+std::string at(const product::Point& p) {
+  return "(" + rounded(p[0]) + ", " + rounded(p[1]) + ", " + rounded(p[2]) + ")";
+}
+
+std::string more(std::size_t all) {
+  return all > most_told ? ", and " + std::to_string(all - most_told) + " more" : "";
+}
+
+Json histogram_json(const product::HexQuality& quality) {
+  return {{"from", -1}, {"step", 0.1}, {"counts", quality.histogram}};
+}
+
+/// "0.0 3, 0.1 5, 0.9 112": bins that hold something, by their lower end.
+std::string histogram_text(const product::HexQuality& quality) {
+  std::vector<std::string> bins;
+  for (int k = 0; k < static_cast<int>(quality.histogram.size()); ++k)
+    if (quality.histogram[k] > 0)
+      bins.push_back(fixed(0.1 * (k - 10), 1) + ": " + std::to_string(quality.histogram[k]));
+  return joined(bins, ", ");
+}
+
+std::string_view word(product::FiberEnd end) {
+  return end == product::FiberEnd::budget ? "too many steps" : "no way on";
+}
+
+} // namespace
+
+Report partition_report(const product::Solid& solid, const product::Partition& partition,
+                        const std::string& how) {
+  std::vector<int> triangles(static_cast<std::size_t>(product::first_wall + partition.walls), 0);
+  for (const int patch : partition.patch) ++triangles[patch];
+  Report report;
+  Json walls = Json::array();
+  std::vector<std::string> texts;
+  for (std::size_t k = product::first_wall; k < triangles.size(); ++k) {
+    walls.push_back(triangles[k]);
+    texts.push_back(std::to_string(triangles[k]));
+  }
+  report.json = {{"holes", partition.holes()},
+                 {"tetrahedra", solid.size()},
+                 {"partition",
+                  {{"how", how},
+                   {"floor", triangles[product::floor_patch]},
+                   {"ceiling", triangles[product::ceiling_patch]},
+                   {"walls", std::move(walls)}}}};
+  report.rows = {{"solid", counted(solid.size(), "tetrahedron") + ", " + counted(partition.holes(), "hole")},
+                 {"partition", how},
+                 {"triangles", "floor " + std::to_string(triangles[product::floor_patch]) + ", ceiling " +
+                                   std::to_string(triangles[product::ceiling_patch]) + ", walls " +
+                                   joined(texts, ", ")}};
+  return report;
+}
+
+Report floor_report(const product::FloorMap& floor) {
+  Report report;
+  report.json = {{"floor_found", floor.found}, {"floor_flipped", floor.flipped}};
+  report.rows.emplace_back("floor", std::string(floor.found ? "found" : "not found within the budget") +
+                                        ", flipped " + std::to_string(floor.flipped) + " of " +
+                                        counted(floor.mesh.surface.triangle_count(), "triangle"));
+  if (floor.height > 0) {
+    Json holes = Json::array();
+    for (const auto& [low, high] : floor.rectangles)
+      holes.push_back({low.real(), low.imag(), high.real(), high.imag()});
+    report.json["rectangle"] = {{"height", floor.height}, {"holes", std::move(holes)}};
+    report.rows.emplace_back("rectangle", "1 x " + fixed(floor.height, 6));
+  }
+  if (!floor.found)
+    report.warnings.emplace_back("the map of the floor was not found within the budget; its mesh may be too "
+                                 "coarse, or its corners ill placed (--corners)");
+  return report;
+}
+
+Report field_report(const product::HarmonicField& field, double height, int splits, bool clamped) {
+  Report report;
+  report.json = {{"height", height},
+                 {"splits", splits},
+                 {"flow", field.flow},
+                 {"residual", field.residual},
+                 {"iterations", field.iterations},
+                 {"negative_weights", field.negative_weights},
+                 {"weights", clamped ? "clamped" : "cotangent"}};
+  report.rows = {{"height", fixed(height, 6)},
+                 {"edges split", std::to_string(splits)},
+                 {"field", "residual " + scientific(field.residual, 1) + ", " +
+                               (field.iterations > 0 ? counted(field.iterations, "iteration") : "direct") +
+                               ", " + counted(field.negative_weights, "negative weight") +
+                               (clamped ? ", clamped" : "")}};
+  return report;
+}
+
+Report critical_report(const product::Solid& solid, const product::CriticalPlaces& places) {
+  Report report;
+  Json vertices = Json::array();
+  std::vector<std::string> texts;
+  for (const product::CriticalVertex& v : places.vertices) {
+    vertices.push_back({{"vertex", v.vertex},
+                        {"at", solid.point(v.vertex)},
+                        {"lower", v.lower},
+                        {"upper", v.upper},
+                        {"on_wall", v.on_wall}});
+    if (texts.size() < most_told)
+      texts.push_back("v" + std::to_string(v.vertex) + " " + at(solid.point(v.vertex)));
+  }
+  report.json["critical"] = {{"flat_tetrahedra", places.flat}, {"vertices", std::move(vertices)}};
+  report.rows.emplace_back(
+      "critical places",
+      places.none() ? "none: a product"
+                    : counted(static_cast<long long>(places.flat.size()), "flat tetrahedron") + ", " +
+                          counted(static_cast<long long>(places.vertices.size()), "critical vertex"));
+  if (!texts.empty()) report.rows.emplace_back("", joined(texts, ", ") + more(places.vertices.size()));
+  return report;
+}
+
+Report coordinates_report(const product::Coordinates& coordinates) {
+  Report report;
+  Json list = Json::array();
+  std::vector<std::string> texts;
+  for (const product::StuckFiber& s : coordinates.stuck) {
+    list.push_back({{"vertex", s.vertex}, {"at", s.at}, {"why", word(s.end)}});
+    if (texts.size() < most_told) texts.push_back("v" + std::to_string(s.vertex) + " at " + at(s.at));
+  }
+  report.json = {{"stuck_fibers", coordinates.stuck.size()},
+                 {"stuck", std::move(list)},
+                 {"fibers_by_gradient", coordinates.by_gradient}};
+  report.rows.emplace_back("stuck fibres",
+                           std::to_string(coordinates.stuck.size()) +
+                               (coordinates.by_gradient > 0
+                                    ? ", by the gradient " + std::to_string(coordinates.by_gradient)
+                                    : ""));
+  if (!texts.empty()) {
+    report.rows.emplace_back("", joined(texts, ", ") + more(coordinates.stuck.size()));
+    report.warnings.push_back(counted(static_cast<long long>(texts.size()), "fibre") +
+                              " did not arrive; the places are listed, and --weights clamped may help");
+  }
+  return report;
+}
+
+Report quality_report(const product::Quality& quality) {
+  Report report;
+  report.json = {{"flipped", quality.flipped.size()},
+                 {"orthogonality_error", quality.mean_orthogonality_error},
+                 {"max_orthogonality_error", quality.max_orthogonality_error},
+                 {"uv_error", quality.mean_uv},
+                 {"max_uv_error", quality.max_uv}};
+  report.rows = {{"flipped", counted(static_cast<long long>(quality.flipped.size()), "tetrahedron")},
+                 {"w to u and v", "cosine " + scientific(quality.mean_orthogonality_error, 1) +
+                                      " on average, " + scientific(quality.max_orthogonality_error, 1) +
+                                      " at most"},
+                 {"u to v", "cosine " + scientific(quality.mean_uv, 1) + " on average, " +
+                                scientific(quality.max_uv, 1) + " at most"}};
+  return report;
+}
+
+Report confirmation_report(const product::Confirmation& confirmation) {
+  Report report;
+  report.json["opposite_way"] = {{"mean_distance", confirmation.mean_distance},
+                                 {"max_distance", confirmation.max_distance},
+                                 {"worst_vertex", confirmation.worst},
+                                 {"farther_than_an_edge", confirmation.off},
+                                 {"not_arrived", confirmation.not_arrived}};
+  report.rows.emplace_back("the opposite way", scientific(confirmation.mean_distance, 1) +
+                                                   " mean edges off on average, " +
+                                                   scientific(confirmation.max_distance, 1) + " at most (v" +
+                                                   std::to_string(confirmation.worst) + "), " +
+                                                   counted(confirmation.off, "vertex") + " more than one, " +
+                                                   std::to_string(confirmation.not_arrived) + " not arrived");
+  return report;
+}
+
+Report grid_report(const product::FloorGrid& grid) {
+  Report report;
+  report.json["grid"] = {{"columns", grid.columns},
+                         {"rows", grid.rows},
+                         {"cells", grid.cells.size()},
+                         {"mean_stretch", grid.mean_stretch},
+                         {"max_stretch", grid.max_stretch}};
+  report.rows.emplace_back("grid", std::to_string(grid.columns) + " x " + std::to_string(grid.rows) + ", " +
+                                       counted(static_cast<long long>(grid.cells.size()), "cell") +
+                                       ", stretch " + fixed(grid.mean_stretch, 3) + " on average, " +
+                                       fixed(grid.max_stretch, 3) + " at most");
+  return report;
+}
+
+Report hexahedra_report(const product::SolidHexahedra& hexahedra, const product::HexQuality& quality) {
+  Report report;
+  Json bad = Json::array();
+  std::vector<std::string> texts;
+  for (const product::BadHexahedron& b : quality.bad) {
+    bad.push_back({{"hexahedron", b.hexahedron}, {"scaled_jacobian", b.scaled_jacobian}, {"at", b.center}});
+    if (texts.size() < most_told) texts.push_back(at(b.center));
+  }
+  report.json = {{"hexahedra", hexahedra.mesh.hexahedra.size()}, {"left_out", hexahedra.left_out},
+                 {"min_scaled_jacobian", quality.minimum},       {"mean_scaled_jacobian", quality.mean},
+                 {"histogram", histogram_json(quality)},         {"bad", std::move(bad)}};
+  report.rows = {
+      {"hexahedra", std::to_string(hexahedra.mesh.hexahedra.size()) +
+                        (hexahedra.left_out > 0 ? ", left out " + std::to_string(hexahedra.left_out) : "")},
+      {"scaled Jacobian", fixed(quality.minimum, 4) + " at least, " + fixed(quality.mean, 4) +
+                              " on average, 0 or less in " + std::to_string(quality.bad.size())},
+      {"", histogram_text(quality)}};
+  if (!texts.empty()) report.rows.emplace_back("bad", joined(texts, ", ") + more(quality.bad.size()));
+  if (hexahedra.left_out > 0)
+    report.warnings.push_back(counted(hexahedra.left_out, "hexahedron") +
+                              " left out beside fibres that did not arrive");
+  return report;
+}
+
+Report smoothed_report(const product::Smoothed& smoothed, const product::HexQuality& before) {
+  Report report;
+  report.json["smoothing"] = {{"sweeps", smoothed.sweeps},
+                              {"moved", smoothed.moved},
+                              {"min_scaled_jacobian_before", smoothed.minimum_before},
+                              {"bad_before", smoothed.bad_before},
+                              {"histogram_before", histogram_json(before)}};
+  report.rows = {{"smoothing", counted(smoothed.sweeps, "sweep") + ", " + counted(smoothed.moved, "point") +
+                                   " moved; before: " + fixed(smoothed.minimum_before, 4) +
+                                   " at least, 0 or less in " + std::to_string(smoothed.bad_before)},
+                 {"", histogram_text(before)}};
+  return report;
+}
+
+} // namespace tetrarch::program
