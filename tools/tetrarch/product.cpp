@@ -264,10 +264,13 @@ std::string labelled_mesh(const Made& made) {
 std::string page(const Made& made, const std::string& title) {
   scene::InfoTable table{"Product", {}, {}};
   for (const auto& [name, value] : made.report.rows) table.rows.push_back({name, value});
+  // How far walls are from conformal says nothing: u and v run along the floor.
   return scene::write_page(scene::TexturePage{title,
                                               {std::move(table)},
                                               product_scene(made, "solid", false, false),
-                                              product_scene(made, "domain", true, false)});
+                                              product_scene(made, "domain", true, false),
+                                              "Fibres",
+                                              1.0});
 }
 
 std::string file(const std::string& path, const Made& made, const Options& options) {
