@@ -1,32 +1,99 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include "tetrarch/product/partition.hpp"
+
 #include "product/solids.hpp"
 #include "support/errors.hpp"
 
-#include "tetrarch/product/partition.hpp"
-
+#include <algorithm>
 #include <catch2/catch.hpp>
+#include <cmath>
 
 using namespace tetrarch;
-using namespace tetrarch::support;
+using namespace tetrarch::product;
+using support::error_of;
 
-TEST_CASE("a plate with holes has as many walls as holes and one", "[product]") {
+namespace {
+
+bool says(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+} // namespace
+
+TEST_CASE("A plate with holes has as many walls as holes and one", "[partition]") {
   for (int holes = 0; holes <= 5; ++holes) {
-    const Extrusion from = plate(holes, 6, 2);
-    const product::Solid solid = product::solid(from.mesh);
-    const product::Partition p = product::partition(solid, bases(solid, from));
+    const support::Extrusion from = support::plate(holes, 6, 2);
+    const Solid whole = solid(from.mesh);
+    const Partition p = partition(whole, support::bases(whole, from));
     CHECK(p.walls == holes + 1);
+    CHECK(p.holes() == holes);
+    // Everything is covered, and wall 0 is the outer one.
+    for (int t = 0; t < whole.boundary.triangle_count(); ++t) {
+      const int patch = p.patch[t];
+      REQUIRE((patch >= 0 && patch < first_wall + p.walls));
+      bool outside = true;
+      for (int c = 0; c < 3; ++c) {
+        const Point& q = whole.point(whole.corner(t, c));
+        outside = outside && (q[0] == 0 || q[0] == std::max(holes, 1) || q[1] == 0 || q[1] == 1);
+      }
+      if (patch >= first_wall) CHECK(outside == (patch == first_wall));
+    }
   }
 }
 
-TEST_CASE("a floor whose hole bounds in the solid is refused", "[product]") {
-  const Extrusion from = pipe(0.4, 1, 3);
-  const product::Solid solid = product::solid(from.mesh);
-  std::vector<int> base(static_cast<std::size_t>(solid.boundary.triangle_count()), -1);
-  for (int t = 0; t < solid.boundary.triangle_count(); ++t) {
+TEST_CASE("The outer wall may be chosen", "[partition]") {
+  const support::Extrusion from = support::plate(2, 6, 2);
+  const Solid whole = solid(from.mesh);
+  const std::vector<int> base = support::bases(whole, from);
+  const Partition longest = partition(whole, base);
+  for (int t = 0; t < whole.boundary.triangle_count(); ++t) {
+    if (longest.patch[t] != first_wall + 2) continue;
+    const Partition chosen = partition(whole, base, t);
+    CHECK(chosen.patch[t] == first_wall);
+    return;
+  }
+  FAIL("there is no third wall");
+}
+
+TEST_CASE("A floor whose loops bound in the solid is refused", "[partition]") {
+  // A ring cut like a cake: floor and ceiling are strips around its section, whose rims are meridians.
+  const support::Extrusion from = support::pipe(0.4, 1, 3);
+  const Solid whole = solid(from.mesh);
+  std::vector<int> base(static_cast<std::size_t>(whole.boundary.triangle_count()), -1);
+  for (int t = 0; t < whole.boundary.triangle_count(); ++t) {
     std::array<double, 2> p{};
     for (int c = 0; c < 3; ++c)
-      for (int k = 0; k < 2; ++k) p[k] += solid.point(solid.corner(t, c))[k];
+      for (int k = 0; k < 2; ++k) p[k] += whole.point(whole.corner(t, c))[k];
     if (std::abs(p[1]) < 0.9 * std::abs(p[0])) base[t] = p[0] > 0 ? 0 : 1;
   }
-  CHECK(error_of([&] { (void)product::partition(solid, base); }) == "");
+  CHECK(says(error_of([&] { (void)partition(whole, base); }), "do not generate the first homology"));
+}
+
+TEST_CASE("What has the wrong topology is named", "[partition]") {
+  const support::Extrusion from = support::plate(1, 6, 3);
+  const Solid whole = solid(from.mesh);
+  const std::vector<int> good = support::bases(whole, from);
+  const auto error = [&](const auto& change) {
+    std::vector<int> base = good;
+    change(base);
+    return error_of([&] { (void)partition(whole, base); });
+  };
+  CHECK(error([](auto&) {}) == "");
+  CHECK(says(error([](auto& b) { std::replace(b.begin(), b.end(), 1, -1); }), "ceiling"));
+  CHECK(says(error([](auto& b) { std::replace(b.begin(), b.end(), -1, 1); }), "touch"));
+  // A hole in the floor that is no hole of the solid.
+  const std::string punched = error([&](auto& b) {
+    for (int t = 0; t < whole.boundary.triangle_count(); ++t)
+      for (int c = 0; c < 3; ++c) {
+        const Point& p = whole.point(whole.corner(t, c));
+        if (p[2] == 0 && std::abs(p[0] - 0.12) < 0.1 && std::abs(p[1] - 0.12) < 0.1) b[t] = -1;
+      }
+  });
+  CHECK(says(punched, "floor"));
+  // Half of the ceiling is a ceiling, too, the other half a wall: no cylinder.
+  const std::string half = error([&](auto& b) {
+    for (int t = 0; t < whole.boundary.triangle_count(); ++t)
+      if (b[t] == 1 && whole.point(whole.corner(t, 0))[0] < 0.5) b[t] = -1;
+  });
+  CHECK(says(half, "ceiling"));
 }
