@@ -6,6 +6,7 @@
 #include "homology.hpp"
 #include "levels.hpp"
 #include "patches.hpp"
+#include "tunnels.hpp"
 #include "vectors.hpp"
 
 #include <Eigen/Eigenvalues>
@@ -271,13 +272,42 @@ std::optional<Automatic> by_axes(const Search& search, const Progress& progress)
   return {};
 }
 
+//
+// Tunnels.
+//
+
+std::optional<Automatic> by_tunnels(const Search& search, const Progress& progress) {
+  progress.step("tunnels");
+  if (!search.homology) return {};
+  std::optional<Tunnel> found = tunnel(search.solid, *search.homology);
+  if (!found) return {};
+  Levelled at{search.solid, std::move(found->values)};
+  if (search.options.smooth_rims)
+    for (const double level : found->levels) at = split_at_level(at.solid, std::move(at.values), level);
+  std::vector<int> base;
+  base.reserve(at.values.size());
+  for (const auto& [a, b, c] : at.values) {
+    const double mean = (a + b + c) / 3;
+    const auto& l = found->levels;
+    base.push_back(mean > l[2] && mean < l[3]   ? floor_patch
+                   : mean > l[0] && mean < l[1] ? ceiling_patch
+                                                : -1);
+  }
+  clean_up(at.solid, base);
+  std::optional<Partition> patches = accepted(at.solid, base, {});
+  if (!patches) return {};
+  const double value = score(at.solid, *patches);
+  return Automatic{std::move(at.solid), *std::move(patches), value, found->how};
+}
+
 } // namespace
 
 std::optional<Automatic> automatic_partition(const Solid& solid, const AutomaticOptions& options,
                                              const Progress& progress) {
   const Search search(solid, options);
   if (std::optional<Automatic> found = by_ridges(search, progress)) return found;
-  return by_axes(search, progress);
+  if (std::optional<Automatic> found = by_axes(search, progress)) return found;
+  return by_tunnels(search, progress);
 }
 
 } // namespace tetrarch::product

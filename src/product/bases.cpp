@@ -6,6 +6,7 @@
 
 #include "tetrarch/core/error.hpp"
 #include "tetrarch/mesh/distance.hpp"
+#include "tetrarch/product/partition.hpp"
 
 #include <algorithm>
 #include <functional>
@@ -94,6 +95,16 @@ std::vector<int> bases_of(const mesh::Parts& parts, std::array<int, 2> pieces) {
   std::vector<int> base;
   base.reserve(parts.of.size());
   for (const int part : parts.of) base.push_back(part == pieces[0] ? 0 : part == pieces[1] ? 1 : -1);
+  return base;
+}
+
+/// Cleaned up only where that is needed, since it cuts off triangles at corners that are meant.
+std::vector<int> mended(const Solid& solid, std::vector<int> base) {
+  try {
+    (void)partition(solid, base);
+  } catch (const InputError&) {
+    clean_up(solid, base);
+  }
   return base;
 }
 
@@ -208,8 +219,7 @@ std::vector<int> bases_by_flooding(const Solid& solid, const Flooding& flooding)
   const std::vector<Point> areas = vector_areas(solid);
   std::vector<int> base(areas.size(), -1);
   for (const int number : {0, 1}) flood(solid, areas, number, flooding, base);
-  clean_up(solid, base);
-  return base;
+  return mended(solid, std::move(base));
 }
 
 std::vector<int> bases_beyond_tunnels(const Solid& solid, const std::vector<std::vector<int>>& tunnels,
@@ -239,9 +249,7 @@ std::vector<int> bases_beyond_tunnels(const Solid& solid, const std::vector<std:
   if (largest[1] < 0)
     throw InputError("the walls around the tunnels leave no two pieces for floor and ceiling");
   std::sort(largest.begin(), largest.end());
-  std::vector<int> base = bases_of(parts, largest);
-  clean_up(solid, base);
-  return base;
+  return mended(solid, bases_of(parts, largest));
 }
 
 } // namespace tetrarch::product

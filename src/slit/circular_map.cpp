@@ -95,6 +95,7 @@ CircularMap disk_map(const mesh::TriangleMesh& mesh, int center) {
   const auto& sides = loops[0].sides;
   const std::size_t n = sides.size();
   std::vector<double> length;
+  length.reserve(n);
   for (const mesh::SideEnd e : sides)
     length.push_back(mesh::distance(mesh.points[surface.from(e.side)], mesh.points[surface.to(e.side)]));
   const auto density = [&](std::size_t j) {

@@ -923,6 +923,32 @@ class Product(InAFolder):
             shell += [[corner[v] for v in t] for t in six]
         self.assertIn("boundary of the solid has 2 components", self.refused(self.write("shell.mesh", grid, shell)))
 
+    def test_a_polycube(self):
+        # A frame of eight cubes around one that is missing, twice as high as it should be, and its image: the cubes.
+        cube = [(x, y) for x in range(3) for y in range(3) if (x, y) != (1, 1)]
+        n = 2
+        index, points, tetrahedra = {}, [], []
+        six = [[0, 1, 3, 7], [0, 3, 2, 7], [0, 2, 6, 7], [0, 6, 4, 7], [0, 4, 5, 7], [0, 5, 1, 7]]
+        for x, y, z in ((x, y, z) for x in range(3 * n) for y in range(3 * n) for z in range(n) if (x // n, y // n) in cube):
+            corner = [(x + (k & 1), y + (k >> 1 & 1), z + (k >> 2)) for k in range(8)]
+            for p in corner:
+                if p not in index:
+                    index[p] = len(points)
+                    points.append([p[0] / n, p[1] / n, p[2] / n])
+            tetrahedra += [[index[corner[v]] for v in t] for t in six]
+        image = self.write("cubes.mesh", points, tetrahedra)
+        frame = self.write("frame.mesh", [[x, y, 2 * z] for x, y, z in points], tetrahedra)
+        seeds = ["--floor", "v%d" % index[(1, 1, 0)], "--ceiling", "v%d" % index[(1, 1, n)]]
+        path = self.path("hex.mesh")
+        status, made = run_json("product", frame, *seeds, "--polycube", image, "--cells", "3", "-o", path)
+        # By hand: 8 cubes of 27 cells; stretched cuboids have right angles.
+        self.assertEqual((status, made["hexahedra"], made["left_out"]), (0, 216, 0))
+        self.assertGreater(made["min_scaled_jacobian"], 1 - 1e-6)
+        self.assertEqual(len(self.read(path)["Hexahedra"]), 216)
+        self.assertIn("one of them", self.refused(frame, *seeds, "--polycube", image, "--hex", "4"))
+        self.assertIn("no image of vertex", self.refused(frame, *seeds, "--polycube", os.path.join(SOURCE, "tests/data/mesh/cube.off")))
+        self.assertNotEqual(self.refused(frame, *seeds, "--polycube", frame, "--step", "0.7"), "")
+
     def test_bad_partitions(self):
         self.assertIn("label 9", self.refused(self.ridges, "--labels", "1,9"))
         # Floor and hole's wall: they touch.

@@ -13,6 +13,7 @@
 #include "tetrarch/format/text.hpp"
 #include "tetrarch/mesh/repair.hpp"
 #include "tetrarch/mesh/validate.hpp"
+#include "tetrarch/product/polycube.hpp"
 #include "tetrarch/scene/files.hpp"
 #include "tetrarch/scene/page.hpp"
 #include "tetrarch/scene/product.hpp"
@@ -42,6 +43,9 @@ struct Options {
   int hex = 0;
   int layers = 0; ///< 0: cells as high as wide
   bool smooth = false;
+  std::string polycube;
+  double step = 1; ///< of the polycube's lattice
+  int cells = 4;
   std::string weights = "auto";
   bool anyway = false;
   bool repair = false;
@@ -71,7 +75,10 @@ void check(const Options& options) {
       throw InputError({path, 0}, std::string(scene::viewer_missing_reason()));
   }
   if (options.hex == 0 && options.layers > 0) throw InputError("--layers needs --hex");
-  if (options.hex == 0 && options.smooth) throw InputError("--smooth needs --hex");
+  if (options.hex > 0 && !options.polycube.empty())
+    throw InputError("--hex and --polycube are two ways to hexahedra: expected one of them");
+  if (options.hex == 0 && options.polycube.empty() && options.smooth)
+    throw InputError("--smooth needs --hex or --polycube");
   if (options.floor_map != "rectangle" && !options.corners.empty())
     throw InputError("--corners needs --floor-map rectangle");
 }
@@ -132,6 +139,20 @@ void add_fibers(Made& made, const product::FiberField& field, const product::Flo
   }
 }
 
+/// Smoothed if wanted, measured and told.
+void add_quality(Made& made, const Options& options, const Progress& progress) {
+  product::HexQuality quality = product::quality(made.hexahedra->mesh);
+  if (options.smooth) {
+    const product::HexQuality before = std::move(quality);
+    const product::Smoothed smoothed =
+        product::smooth(made.hexahedra->mesh, made.hexahedra->on_boundary, {}, progress);
+    made.report.add(smoothed_report(smoothed, before));
+    quality = product::quality(made.hexahedra->mesh);
+  }
+  made.report.add(hexahedra_report(*made.hexahedra, quality));
+  made.scaled_jacobian = std::move(quality.scaled_jacobian);
+}
+
 void add_hexahedra(Made& made, const product::FiberField& field, const product::FloorMap& floor,
                    const Options& options, const Context& context) {
   const product::FloorGrid grid =
@@ -144,16 +165,34 @@ void add_hexahedra(Made& made, const product::FiberField& field, const product::
                                       context.progress);
   made.cells = static_cast<int>(grid.cells.size());
   made.report.add(grid_report(grid));
-  product::HexQuality quality = product::quality(made.hexahedra->mesh);
-  if (options.smooth) {
-    const product::HexQuality before = std::move(quality);
-    const product::Smoothed smoothed =
-        product::smooth(made.hexahedra->mesh, made.hexahedra->on_boundary, {}, context.progress);
-    made.report.add(smoothed_report(smoothed, before));
-    quality = product::quality(made.hexahedra->mesh);
+  add_quality(made, options, context.progress);
+}
+
+/// Vertex k of the file is the image of vertex k of the solid; those inside are passed over.
+void add_polycube(Made& made, const product::Solid& solid, const product::Partition& partition,
+                  const Options& options, const Context& context) {
+  const format::Soup soup = format::read_soup_file(options.polycube);
+  std::vector<Point> image;
+  image.reserve(solid.vertex.size());
+  for (const int v : solid.vertex) {
+    if (v >= static_cast<int>(soup.points.size()))
+      throw InputError({options.polycube, 0},
+                       "there is no image of vertex v" + std::to_string(v) + ": the file has " +
+                           counted(static_cast<long long>(soup.points.size()), "vertex"));
+    image.push_back(soup.points[v]);
   }
-  made.report.add(hexahedra_report(*made.hexahedra, quality));
-  made.scaled_jacobian = std::move(quality.scaled_jacobian);
+  std::vector<int> base;
+  base.reserve(partition.patch.size());
+  for (const int patch : partition.patch) base.push_back(patch < product::first_wall ? patch : -1);
+  product::PolycubeOptions polycube;
+  polycube.step = options.step;
+  polycube.cells = options.cells;
+  polycube.threads = context.threads;
+  product::PolycubeHexahedra found = in_file(options.polycube, [&] {
+    return product::polycube_hexahedra(solid, image, base, polycube, context.progress);
+  });
+  made.hexahedra = std::move(found.solid);
+  add_quality(made, options, context.progress);
 }
 
 /// Fibres and what hangs on them, of a field without critical places.
@@ -199,6 +238,7 @@ Made make(const Options& options, const Context& context) {
     return partitioned(product::solid(std::move(mesh)), soup, options.partition, context.progress);
   });
   made.report.add(partition_report(start.solid, start.partition, start.how));
+  if (!options.polycube.empty()) add_polycube(made, start.solid, start.partition, options, context);
   made.at = product::prepared(std::move(start.solid), std::move(start.partition));
 
   const product::FloorMap floor = in_file(options.input, [&] {
@@ -225,10 +265,11 @@ Made make(const Options& options, const Context& context) {
 
 scene::Scene hexahedra_scene(const Made& made, const std::string& title, SceneFormat format) {
   scene::HexahedraData data{made.scaled_jacobian, {}};
-  // Without those left out a layer has no fixed number of cells; then their layers are not told.
+  // Where some are left out a layer has no fixed number of cells, and polycubes have none; then -1 is told.
   const std::size_t count = made.hexahedra->mesh.hexahedra.size();
   for (std::size_t k = 0; k < count; ++k)
-    data.layer.push_back(made.hexahedra->left_out == 0 ? static_cast<int>(k) / made.cells : -1);
+    data.layer.push_back(made.cells > 0 && made.hexahedra->left_out == 0 ? static_cast<int>(k) / made.cells
+                                                                         : -1);
   scene::Scene scene{title, {}, {}, {}, {}};
   scene.cells.push_back(scene::hexahedra(made.hexahedra->mesh.points, made.hexahedra->mesh.hexahedra, data));
   if (format != SceneFormat::vtu) scene.tubes.push_back(scene::outer_edges(scene.cells.front()));
@@ -353,6 +394,16 @@ Run declare_product(CLI::App& app) {
   app.add_option("--layers", o->layers, "of hexahedra (default: as high as wide)")
       ->check(CLI::Range(1, 100'000));
   app.add_flag("--smooth", o->smooth, "improve hexahedra, moving points inside");
+  app.add_option(
+      "--polycube", o->polycube,
+      "make hexahedra by a polycube: a mesh whose vertex k is the image, on a surface of cubes, of the "
+      "solid's vertex k; those inside do not matter");
+  app.add_option("--step", o->step, "of the lattice of the polycube's corners")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  app.add_option("--cells", o->cells, "hexahedra along a step")
+      ->check(CLI::Range(1, 1000))
+      ->capture_default_str();
   app.add_option("--show", o->show, "what is written: the solid, or its domain")
       ->check(CLI::IsMember({"solid", "domain"}))
       ->capture_default_str();

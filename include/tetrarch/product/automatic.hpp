@@ -8,9 +8,9 @@
 ///     axes      Floor is where the outer normal, smoothed, points against an axis, ceiling where it points
 ///               along it. Of many axes and thresholds one is taken. Rims are made smooth curves by splitting
 ///               tetrahedra along them.
-///     tunnels   The inner walls are bands around short loops of the boundary that generate the homology of
-///               the solid, the outer wall is one around a level line between their two banks. Rims are made
-///               smooth as above.
+///     tunnels   Of solids with one handle: the inner wall is a band around a short loop of the boundary that
+///               generates the homology of the solid, the outer one lies halfway between its two banks. Rims
+///               are made smooth as above.
 ///
 /// They are tried in this order; the first that finds a partition does it. Among several of one kind the best
 /// has the greatest score: |F - C| / A, where F and C are the vector areas of floor and ceiling and A is the
