@@ -109,14 +109,6 @@ std::vector<double> solve_iteratively(const System& s, double tolerance, int& it
 
 } // namespace
 
-std::vector<int> bases_of_vertices(const Solid& solid, const Partition& partition) {
-  std::vector<int> base(solid.mesh.points.size(), -1);
-  for (int t = 0; t < solid.boundary.triangle_count(); ++t)
-    for (int c = 0; c < 3 && partition.patch[t] < first_wall; ++c)
-      base[solid.corner(t, c)] = partition.patch[t];
-  return base;
-}
-
 HarmonicField harmonic_field(const Solid& solid, const Partition& partition, const FieldOptions& options,
                              const Progress& progress) {
   progress.step("harmonic field");

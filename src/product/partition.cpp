@@ -221,4 +221,12 @@ Partition partition(const Solid& solid, const std::vector<int>& base, int outer)
   return partition(solid, base, outer, &homology);
 }
 
+std::vector<int> bases_of_vertices(const Solid& solid, const Partition& partition) {
+  std::vector<int> base(solid.mesh.points.size(), -1);
+  for (int t = 0; t < solid.boundary.triangle_count(); ++t)
+    for (int c = 0; c < 3 && partition.patch[t] < first_wall; ++c)
+      base[solid.corner(t, c)] = partition.patch[t];
+  return base;
+}
+
 } // namespace tetrarch::product

@@ -3,11 +3,10 @@
 
 /// Bases that are nearly right, made so: crumbs, holes and pinches go.
 ///
-///       .--.   o             A crumb is a piece of a base that is not its largest; it becomes wall. A hole
-///       is
-///      /    \                a disk of wall within one base; it is filled. At a pinch, and where floor and
-///     /  o   \/\             ceiling touch, the triangles around become wall. A jag is a triangle with two
-///     `------'\/             sides on the other patch; it goes over.
+///       .--.   o           A crumb is a piece of a base that is not its largest; it becomes wall. A hole
+///      |    |              is a disk of wall within one base; it is filled. At a pinch, and where floor
+///      | o  |_             and ceiling touch, the triangles around become wall. A jag is a triangle with
+///      '----'              two sides on the other patch; it goes over.
 
 #include "tetrarch/product/solid.hpp"
 

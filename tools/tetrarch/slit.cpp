@@ -169,22 +169,24 @@ Chosen chosen(const mesh::OpenedMesh& surface, const std::vector<mesh::BoundaryL
 Made make(const mesh::OpenedMesh& surface, const std::vector<mesh::BoundaryLoop>& loops,
           const Options& options, const Progress& progress) {
   if (loops.size() == 1) return make_disk(surface, options);
-  const auto [outer, inner] = chosen(surface, loops, options);
+  const Chosen circles = chosen(surface, loops, options);
   if (options.is_ricci()) {
     Made made = make_circles(
         surface.mesh,
         in_file(options.input,
-                [&] { return slit::ricci_circles(surface.mesh, outer, inner, {}, progress).map; }),
+                [&] {
+                  return slit::ricci_circles(surface.mesh, circles.outer, circles.inner, {}, progress).map;
+                }),
         options);
-    made.report.json["outer"] = outer;
-    made.report.json["inner"] = inner;
+    made.report.json["outer"] = circles.outer;
+    made.report.json["inner"] = circles.inner;
     return made;
   }
   const slit::OneForms forms = in_file(options.input, [&] {
     return slit::OneForms(surface.mesh, progress,
                           options.intrinsic ? slit::Edges::intrinsic_delaunay : slit::Edges::own);
   });
-  slit::SlitMap map = slit::slit_map(forms, outer, inner);
+  slit::SlitMap map = slit::slit_map(forms, circles.outer, circles.inner);
   if (options.basis >= forms.loop_count())
     throw InputError("--basis " + std::to_string(options.basis) + ": the last loop is " +
                      std::to_string(forms.loop_count() - 1));
