@@ -12,20 +12,8 @@
 using namespace tetrarch;
 using namespace tetrarch::product;
 
-namespace {
-
-struct Case {
-  Solid solid;
-  Partition partition;
-};
-
-Case make(const support::Extrusion& from) {
-  Case c{solid(from.mesh), {}};
-  c.partition = partition(c.solid, support::bases(c.solid, from));
-  return c;
-}
-
-} // namespace
+using support::divided;
+using support::Divided;
 
 TEST_CASE("Products have no critical places, even where whole layers have one height", "[critical]") {
   for (const double unrest : {0.0, 0.15})
@@ -33,13 +21,13 @@ TEST_CASE("Products have no critical places, even where whole layers have one he
          {support::box({1, 1, 1}, {4, 4, 4}, unrest),
           support::plate(3, 6, 4, support::Hole::round, 0.5, unrest), support::radial_pipe(0.5, 6, unrest),
           support::shell(2, 0.6, 6, unrest), support::bent(2, 6, 4, unrest)}) {
-      const Case c = make(from);
+      const Divided c = divided(from);
       CHECK(critical_places(c.solid, c.partition, harmonic_field(c.solid, c.partition).w).none());
     }
 }
 
 TEST_CASE("A vertex raised above its neighbours is a maximum, with a saddle near it", "[critical]") {
-  const Case c = make(support::box({4, 4, 4}, {4, 4, 4}, 0));
+  const Divided c = divided(support::box({4, 4, 4}, {4, 4, 4}, 0));
   std::vector<double> w;
   for (const Point& p : c.solid.mesh.points) w.push_back(p[2]);
   const auto middle = std::find(c.solid.mesh.points.begin(), c.solid.mesh.points.end(), Point{2, 2, 2});
@@ -71,7 +59,7 @@ TEST_CASE("A flow around a hole has critical places where it parts and where it 
   // A plate with one hole, floor x = 0, ceiling x = 1: the Euler number of the solid is 0, that of the floor
   // 1, so it is no product of the two.
   const support::Extrusion from = support::plate(1, 8, 3, support::Hole::round, 0.5, 0);
-  Case c{solid(from.mesh), {}};
+  Divided c{solid(from.mesh), {}};
   for (int t = 0; t < c.solid.boundary.triangle_count(); ++t) {
     const auto all_at = [&](double x) {
       return c.solid.point(c.solid.corner(t, 0))[0] == x && c.solid.point(c.solid.corner(t, 1))[0] == x &&
@@ -99,7 +87,7 @@ TEST_CASE("A flow around a hole has critical places where it parts and where it 
 TEST_CASE("Where all vertices are on one base the field is flat", "[critical]") {
   // One layer, and its middle pressed down: by hand, tetrahedra with three vertices below and one above are
   // flat if that one is 0, too.
-  const Case c = make(support::box({1, 1, 1}, {2, 2, 1}, 0));
+  const Divided c = divided(support::box({1, 1, 1}, {2, 2, 1}, 0));
   std::vector<double> w;
   for (const Point& p : c.solid.mesh.points) w.push_back(p[2]);
   CHECK(critical_places(c.solid, c.partition, w).none());

@@ -15,15 +15,12 @@ using namespace tetrarch::product;
 
 namespace {
 
-struct Case {
-  Solid solid;
-  Partition partition;
+struct Case : support::Divided {
   std::vector<double> w;
 };
 
 Case make(const support::Extrusion& from) {
-  Case c{solid(from.mesh), {}, {}};
-  c.partition = partition(c.solid, support::bases(c.solid, from));
+  Case c{support::divided(from), {}};
   c.w = harmonic_field(c.solid, c.partition).w;
   return c;
 }

@@ -12,16 +12,8 @@ using namespace tetrarch::product;
 
 namespace {
 
-struct Case {
-  Solid solid;
-  Partition partition;
-};
-
-Case make(const support::Extrusion& from) {
-  Case c{solid(from.mesh), {}};
-  c.partition = partition(c.solid, support::bases(c.solid, from));
-  return c;
-}
+using support::divided;
+using support::Divided;
 
 double root_mean_square_error(const support::Extrusion& from, const HarmonicField& field) {
   double sum = 0;
@@ -34,7 +26,7 @@ double root_mean_square_error(const support::Extrusion& from, const HarmonicFiel
 TEST_CASE("Where the field is linear it is exact", "[field]") {
   for (const auto& from : {support::box({1, 2, 3}, {4, 5, 6}), support::cylinder(5, 4),
                            support::plate(3, 4, 3), support::pipe(0.5, 1, 4)}) {
-    const Case c = make(from);
+    const Divided c = divided(from);
     const HarmonicField field = harmonic_field(c.solid, c.partition);
     for (std::size_t v = 0; v < from.at.size(); ++v)
       REQUIRE(field.w[v] == Approx(from.at[v][2]).margin(1e-13));
@@ -45,7 +37,7 @@ TEST_CASE("Where the field is linear it is exact", "[field]") {
 
 TEST_CASE("The flow is area times slope", "[field]") {
   // By hand: 1 x 2 across, 3 high, w from 0 to 5.
-  const Case c = make(support::box({1, 2, 3}, {3, 3, 3}));
+  const Divided c = divided(support::box({1, 2, 3}, {3, 3, 3}));
   CHECK(harmonic_field(c.solid, c.partition, {.height = 5}).flow == Approx(2 * 5.0 / 3));
 }
 
@@ -55,7 +47,7 @@ TEST_CASE("Between cylinders and spheres the field converges at order h^2", "[fi
     std::vector<double> error;
     for (const int fine : {4, 8, 16}) {
       const support::Extrusion from = make_solid(fine);
-      const Case c = make(from);
+      const Divided c = divided(from);
       error.push_back(root_mean_square_error(from, harmonic_field(c.solid, c.partition)));
     }
     return error;
@@ -72,13 +64,13 @@ TEST_CASE("Between cylinders and spheres the field converges at order h^2", "[fi
 
 TEST_CASE("The flow between cylinders is that of the logarithm", "[field]") {
   // 2 pi z / log(b/a) for a ring of height z = 0.5 from radius 0.5 to 1.
-  const Case c = make(support::radial_pipe(0.5, 16));
+  const Divided c = divided(support::radial_pipe(0.5, 16));
   CHECK(harmonic_field(c.solid, c.partition).flow ==
         Approx(2 * std::numbers::pi * 0.5 / std::log(2.0)).epsilon(0.01));
 }
 
 TEST_CASE("Conjugate gradients find what the factorisation finds", "[field]") {
-  const Case c = make(support::bent(2, 6, 6));
+  const Divided c = divided(support::bent(2, 6, 6));
   const HarmonicField direct = harmonic_field(c.solid, c.partition, {.solver = FieldOptions::Solver::direct});
   const HarmonicField iterative =
       harmonic_field(c.solid, c.partition, {.solver = FieldOptions::Solver::iterative});
@@ -90,7 +82,7 @@ TEST_CASE("Conjugate gradients find what the factorisation finds", "[field]") {
 }
 
 TEST_CASE("Without negative weights nothing inside is above or below all its neighbours", "[field]") {
-  const Case c = make(support::bent(1, 6, 3, 0.3));
+  const Divided c = divided(support::bent(1, 6, 3, 0.3));
   const HarmonicField field = harmonic_field(c.solid, c.partition, {.clamped = true});
   CHECK(field.negative_weights > 0);
   const std::vector<int> base = bases_of_vertices(c.solid, c.partition);
@@ -109,7 +101,7 @@ TEST_CASE("Without negative weights nothing inside is above or below all its nei
 }
 
 TEST_CASE("A field that is stopped says so", "[field]") {
-  const Case c = make(support::bent(1, 4, 3));
+  const Divided c = divided(support::bent(1, 4, 3));
   std::stop_source source;
   source.request_stop();
   CHECK_THROWS_AS(harmonic_field(c.solid, c.partition, {}, Progress({}, source.get_token())), Stopped);

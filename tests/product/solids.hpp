@@ -16,7 +16,7 @@
 ///                        w = log(r/a) / log(b/a), so that r = a (b/a)^t
 ///     shell              radial between spheres of radius a and b: w = (1/a - 1/r) / (1/a - 1/b)
 
-#include "tetrarch/product/solid.hpp"
+#include "tetrarch/product/partition.hpp"
 
 #include <algorithm>
 #include <array>
@@ -258,6 +258,17 @@ inline std::vector<int> bases(const product::Solid& solid, const Extrusion& from
     if (all_in(from.layers)) base[triangle] = 1;
   }
   return base;
+}
+
+/// A solid with the partition that it was made for.
+struct Divided {
+  product::Solid solid;
+  product::Partition partition;
+};
+inline Divided divided(const Extrusion& from) {
+  Divided d{product::solid(from.mesh), {}};
+  d.partition = product::partition(d.solid, bases(d.solid, from));
+  return d;
 }
 
 /// With edges of about 1/fine, `layers` of them upwards.
