@@ -101,13 +101,15 @@ TEST_CASE("what cannot be mended stays, and the rest is mended", "[repair_surfac
 
 TEST_CASE("repair of a surface says what it did and keeps numbers and lines", "[repair_surface]") {
   // Three good triangles, the second turned; 2, 4 and 5 are bad.
-  const format::Soup soup = surface_soup({{0, 0, 0}, {1, 0, 0}, {7, 7, 7}, {0, 1, 0}, {1, 1, 0}, {2, 0, 0}},
-                                         {{0, 1, 3}, {0, 0, 1}, {1, 3, 4}, {3, 1, 0}, {4, 3, 1}, {1, 5, 4}});
+  format::Soup soup = surface_soup({{0, 0, 0}, {1, 0, 0}, {7, 7, 7}, {0, 1, 0}, {1, 1, 0}, {2, 0, 0}},
+                                   {{0, 1, 3}, {0, 0, 1}, {1, 3, 4}, {3, 1, 0}, {4, 3, 1}, {1, 5, 4}});
+  soup.triangle_tags = {10, 11, 12, 13, 14, 15};
   const Repaired result = repair(soup);
   CHECK(result.done == std::vector<std::string>{
                            "removed 1 degenerate triangles", "removed 2 duplicate triangles",
                            "turned round 1 triangles against their component", "removed 1 unused vertices"});
   CHECK(result.soup.triangles == Triangles{{0, 1, 2}, {1, 3, 2}, {1, 4, 3}});
+  CHECK(result.soup.triangle_tags == std::vector<int>{10, 12, 15});
   CHECK(result.soup.triangle_labels.numbers[1] == 3);
   CHECK(result.soup.triangle_labels.lines[2] == 18);
   CHECK(result.soup.point_labels.numbers[2] == 4);
