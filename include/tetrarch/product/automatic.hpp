@@ -32,8 +32,10 @@ struct AutomaticOptions {
   int axes = 100;            ///< besides the six principal ones
   /// On the cosine between normal and axis: how far the bases reach.
   std::vector<double> thresholds{0.2, 0.35, 0.5, 0.65, 0.8};
-  std::vector<int> smoothings{0, 5, 25, 100}; ///< rounds of averaging the normals, until one of them does it
-  bool smooth_rims = true;                    ///< whether tetrahedra may be split
+  /// Rounds of averaging the normals, until one of them does it. Some make rims smoother, many wash small
+  /// holes away.
+  std::vector<int> smoothings{25, 5, 0, 100};
+  bool smooth_rims = true; ///< whether tetrahedra may be split
 };
 
 struct Automatic {
