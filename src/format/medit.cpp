@@ -71,15 +71,15 @@ private:
 
   /// References are written to `tags`, if there is such a list.
   template <std::size_t corners>
-  void read_elements(std::vector<std::array<int, corners>>& elements, Labels& labels,
-                     const std::string& what, std::vector<int>* tags) {
+  void read_elements(std::vector<std::array<int, corners>>& elements, Labels& labels, const std::string& what,
+                     std::vector<int>* tags) {
     const std::int64_t count = read_count(elements.size(), what);
     elements.reserve(in_.believable(count, shortest_line));
     for (std::int64_t i = 1; i <= count; ++i) {
       elements.push_back(read_corners<corners>(in_, soup_.first_number));
       note(labels, static_cast<int>(i), in_.line());
-      const std::int64_t reference = in_.integer("a reference", std::numeric_limits<int>::min(),
-                                                 std::numeric_limits<int>::max());
+      const std::int64_t reference =
+          in_.integer("a reference", std::numeric_limits<int>::min(), std::numeric_limits<int>::max());
       if (tags != nullptr) tags->push_back(static_cast<int>(reference));
     }
   }

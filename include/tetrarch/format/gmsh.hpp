@@ -20,8 +20,9 @@
 ///
 /// Points and lines are passed over, surfaces other than triangles with a warning; volume elements other than
 /// tetrahedra of four nodes are refused, since the rest would be another solid. Of $Entities the physical
-/// groups of surfaces are taken, for the tags of triangles; other sections are passed over. The short-lived version 4.0 is refused. Nodes are points in the order of the file.
-/// Source: Gmsh reference manual, "MSH file format" and "Legacy formats".
+/// groups of surfaces are taken, for the tags of triangles; other sections are passed over. The short-lived
+/// version 4.0 is refused. Nodes are points in the order of the file. Source: Gmsh reference manual, "MSH
+/// file format" and "Legacy formats".
 
 #include "tetrarch/format/soup.hpp"
 
