@@ -84,6 +84,24 @@ TEST_CASE("A flow around a hole has critical places where it parts and where it 
   CHECK(meets);
 }
 
+TEST_CASE("A wall may have a saddle where the solid has none", "[critical]") {
+  // A vertex in the middle of a wall, lowered below its neighbours there but not below the one inside: on the
+  // wall it is a minimum.
+  const support::Extrusion from = support::box({4, 4, 4}, {4, 4, 4}, 0);
+  const Divided c = divided(from);
+  std::vector<double> w;
+  for (const Point& p : c.solid.mesh.points)
+    w.push_back(p[0] > 0.5 && p[0] < 3.5 && p[2] > 1.5 && p[2] < 2.5 ? 1.1 : p[2]);
+  int pit = -1;
+  for (std::size_t v = 0; v < w.size(); ++v)
+    if (c.solid.mesh.points[v] == Point{0, 2, 2}) w[pit = static_cast<int>(v)] = 0.95;
+  REQUIRE(pit >= 0);
+  bool told = false;
+  for (const CriticalVertex& v : critical_places(c.solid, c.partition, w).vertices)
+    told = told || v.vertex == pit;
+  CHECK(told);
+}
+
 TEST_CASE("Where all vertices are on one base the field is flat", "[critical]") {
   // One layer, and its middle pressed down: by hand, tetrahedra with three vertices below and one above are
   // flat if that one is 0, too.

@@ -43,6 +43,30 @@ double turn(double from, double to) {
   return std::remainder(to - from, 2 * std::numbers::pi);
 }
 
+struct FloorRoundTrip {
+  int stuck = 0;
+  double inside_mean = 0; ///< distance between a vertex and where the way down and up again leads
+  double wall_mean = 0;
+};
+
+FloorRoundTrip round_trip(const Case& c) {
+  const FiberField field(c.solid, c.partition, c.w);
+  FloorRoundTrip trip;
+  std::array<int, 2> count{};
+  for (int v = 0; v < static_cast<int>(c.w.size()); ++v) {
+    const Fiber down = field.trace(field.at_vertex(v), Way::down);
+    const Fiber up = field.trace_to(down.at, Way::up, c.w[v]);
+    trip.stuck += down.end == FiberEnd::base && !down.by_gradient ? 0 : 1;
+    const bool on_wall = c.solid.on_boundary[v] >= 0;
+    (on_wall ? trip.wall_mean : trip.inside_mean) +=
+        mesh::distance(c.solid.point(v), point_at(c.solid, up.at));
+    ++count[on_wall ? 1 : 0];
+  }
+  trip.inside_mean /= count[0];
+  trip.wall_mean /= count[1];
+  return trip;
+}
+
 constexpr std::array both{Direction::gradient, Direction::smoothed};
 
 } // namespace
@@ -197,6 +221,19 @@ TEST_CASE("Where faces have the field pointing in from both sides, fibres slide 
     CHECK(q[2] == Approx(0.75));
     CHECK(fiber.length == Approx(std::abs(p[0] - 1) * std::sqrt(2) + 0.75 - p[2] - std::abs(p[0] - 1)));
   }
+}
+
+TEST_CASE("Smoothed vectors at walls are tangent, along ridges that point outward, free at others",
+          "[fibers]") {
+  // A block with a square hole through it, sheared along x the more, the higher: fibres lean, on walls x = 0
+  // and y = 0 alike. Followed up and down again they come back; nothing is stuck.
+  support::Extrusion from = support::plate(1, 8, 8, support::Hole::square, 1, 0);
+  for (Point& p : from.mesh.points) p[0] += 0.25 * p[2] * p[2];
+  const Case c = make(from);
+  const FloorRoundTrip trip = round_trip(c);
+  CHECK(trip.stuck == 0);
+  CHECK(trip.inside_mean < 0.005);
+  CHECK(trip.wall_mean < 0.035);
 }
 
 TEST_CASE("A fibre that cannot go on says where", "[fibers]") {

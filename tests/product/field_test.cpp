@@ -85,6 +85,10 @@ TEST_CASE("Without negative weights nothing inside is above or below all its nei
   const Divided c = divided(support::bent(1, 6, 3, 0.3));
   const HarmonicField field = harmonic_field(c.solid, c.partition, {.clamped = true});
   CHECK(field.negative_weights > 0);
+  const HarmonicField free = harmonic_field(c.solid, c.partition);
+  CHECK(free.negative_weights == field.negative_weights);
+  CHECK(free.w != field.w);
+  CHECK(free.flow < field.flow); // less energy, as weights were less
   const std::vector<int> base = bases_of_vertices(c.solid, c.partition);
   std::vector<char> has_lower(base.size(), 0);
   std::vector<char> has_higher(base.size(), 0);
