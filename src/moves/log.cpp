@@ -75,6 +75,22 @@ std::vector<std::string_view> words_of(std::string_view line) {
   }
 }
 
+/// "2-3" and the like stand for "two_three"; where a move is made at simplices of two kinds, the number of
+/// numbers tells which.
+std::string_view full_name(std::string_view word, std::size_t numbers) {
+  if (word == "2-0") return numbers == 2 ? "two_zero_vertex" : "two_zero_edge";
+  if (word == "0-2") return numbers == 2 ? "zero_two_face" : "zero_two_edge";
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 6> names{{{"1-4", "one_four"},
+                                                                                {"4-1", "four_one"},
+                                                                                {"2-3", "two_three"},
+                                                                                {"3-2", "three_two"},
+                                                                                {"4-4", "four_four"},
+                                                                                {"2-1", "two_one"}}};
+  for (const auto& [digits, name] : names)
+    if (word == digits) return name;
+  return word;
+}
+
 /// Whether the local numbers name something in a tetrahedron.
 bool names_something(const Move& move) {
   const auto local = [](int i) { return i >= 0 && i < 4; };
@@ -124,11 +140,17 @@ std::string Move::str() const {
   return text;
 }
 
+bool is_called(const Move& move, std::string_view word) {
+  const Spelling& how = spelling(move.kind);
+  return how.name == full_name(word, static_cast<std::size_t>(numbers_needed(how.place)));
+}
+
 Move parse_move(std::string_view line) {
   const auto words = words_of(line);
   if (words.empty()) throw InputError("found an empty line, expected a move");
-  const auto* const how = std::find_if(spellings.begin(), spellings.end(),
-                                       [&words](const Spelling& s) { return words[0] == s.name; });
+  const std::string_view name = full_name(words[0], words.size() - 1);
+  const auto* const how =
+      std::find_if(spellings.begin(), spellings.end(), [name](const Spelling& s) { return name == s.name; });
   if (how == spellings.end())
     throw InputError("found " + in_quotes(words[0]) + ", expected the name of a move");
   const int numbers = numbers_needed(how->place);

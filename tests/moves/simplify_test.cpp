@@ -88,6 +88,15 @@ TEST_CASE("what is no move is refused as text", "[moves]") {
         "four_four 0 0 1 2", "shell -1", "merge 99999999999 0 1", "pack 1"})
     CHECK_THROWS_AS(parse_move(line), InputError);
   CHECK(parse_move(" four_four  7 0 1 1\r") == Move{MoveKind::four_four, 7, 0, 1, 1});
+  CHECK(parse_move("2-3 4 1") == Move{MoveKind::two_three, 4, 1});
+  CHECK(parse_move("2-0 4 1") == Move{MoveKind::two_zero_vertex, 4, 1});
+  CHECK(parse_move("2-0 4 1 0") == Move{MoveKind::two_zero_edge, 4, 1, 0});
+  CHECK(parse_move("0-2 4 1") == Move{MoveKind::zero_two_face, 4, 1});
+  CHECK(parse_move("0-2 4 1 0 2") == Move{MoveKind::zero_two_edge, 4, 1, 0, 2});
+  CHECK(is_called({MoveKind::two_zero_edge, 4, 1, 0}, "2-0"));
+  CHECK(is_called({MoveKind::two_zero_vertex, 4, 1}, "2-0"));
+  CHECK(is_called({MoveKind::two_three, 4, 1}, "two_three"));
+  CHECK_FALSE(is_called({MoveKind::two_three, 4, 1}, "3-2"));
 }
 
 TEST_CASE("the boundary stays as it is on request", "[moves]") {
