@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Where in a JSON text a value stands, found by reading it again: only complaints need it, and they are rare.
+// And what a text says that it is, found by reading no farther.
 #include "json_tree.hpp"
 
 #include "tetrarch/core/error.hpp"
+#include "tetrarch/format/json.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -87,7 +89,49 @@ private:
   JsonPath at_;
 };
 
+/// Goes on until the member "format" of the root was read.
+class FormatFinder {
+public:
+  std::string format;
+
+  bool null() { return other(); }
+  bool boolean(bool) { return other(); }
+  bool number_integer(std::int64_t) { return other(); }
+  bool number_unsigned(std::uint64_t) { return other(); }
+  bool number_float(double, const std::string&) { return other(); }
+  bool string(std::string& value) {
+    if (at_format_) format = std::move(value);
+    return other();
+  }
+  bool binary(Json::binary_t&) { return false; }
+  bool start_object(std::size_t) { return start(); }
+  bool start_array(std::size_t) { return depth_ > 0 && start(); }
+  bool end_object() { return --depth_ > 0; }
+  bool end_array() { return --depth_ > 0; }
+  bool key(const std::string& name) {
+    at_format_ = depth_ == 1 && name == "format";
+    return true;
+  }
+  bool parse_error(std::size_t, const std::string&, const nlohmann::json::exception&) { return false; }
+
+private:
+  bool other() const { return depth_ > 0 && !at_format_; }
+  bool start() {
+    ++depth_;
+    return !at_format_ && depth_ <= json_deepest_nesting;
+  }
+
+  int depth_ = 0;
+  bool at_format_ = false;
+};
+
 } // namespace
+
+std::string json_format_of(std::string_view text) {
+  FormatFinder finder;
+  Json::sax_parse(text.begin(), text.end(), &finder);
+  return finder.format;
+}
 
 int line_at(std::string_view text, std::size_t offset) {
   offset = std::min(offset, text.size());

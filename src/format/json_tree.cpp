@@ -2,7 +2,6 @@
 #include "json_tree.hpp"
 
 #include "tetrarch/format/json.hpp"
-#include "tetrarch/format/text.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -150,7 +149,8 @@ class TreeBuilder {
 public:
   JsonTree tree;
 
-  TreeBuilder(std::string_view text, const std::string& source) : text_(text), source_(source) {}
+  TreeBuilder(std::string_view text, const std::string& source, const JsonHeader& header)
+      : text_(text), source_(source), header_(header) {}
 
   bool null() { return scalar(nullptr); }
   bool boolean(bool value) { return scalar(value); }
@@ -220,13 +220,13 @@ private:
 
   /// At once, so that a file of another version is not blamed for its gluings.
   void check_header(const Json& value) const {
-    if (at_member("format") && value != json_format_tag)
+    if (at_member("format") && value != header_.format)
       throw JsonFault{here(),
-                      "found " + describe(value) + ", expected \"" + std::string(json_format_tag) + "\""};
-    if (at_member("version") && !(value.is_number_integer() && value == json_format_version))
-      throw JsonFault{here(), "found " + describe(value) + ", expected version " +
-                                  std::to_string(json_format_version)};
-    if (at_member("gluings"))
+                      "found " + describe(value) + ", expected \"" + std::string(header_.format) + "\""};
+    if (at_member("version") && !(value.is_number_integer() && value == header_.version))
+      throw JsonFault{here(),
+                      "found " + describe(value) + ", expected version " + std::to_string(header_.version)};
+    if (header_.has_gluings && at_member("gluings"))
       throw JsonFault{here(),
                       "found " + describe(value) + ", expected an array with one entry per tetrahedron"};
   }
@@ -256,8 +256,7 @@ private:
     }
     if (open_.size() >= static_cast<std::size_t>(json_deepest_nesting))
       throw JsonFault{here(), "nested more than " + std::to_string(json_deepest_nesting) + " deep"};
-    if (at_member("gluings") && is_array) {
-      tree.has_gluings = true;
+    if (header_.has_gluings && at_member("gluings") && is_array) {
       gluings_.open(true);
       return true;
     }
@@ -282,6 +281,7 @@ private:
 
   std::string_view text_;
   const std::string& source_;
+  const JsonHeader& header_;
   std::vector<Open> open_;
   GluingReader gluings_;
 };
@@ -295,9 +295,12 @@ std::string describe(const Json& value) {
   return (value.is_number() ? "the number " : "") + value.dump();
 }
 
-JsonTree parse_tree(std::string_view text, const std::string& source) {
-  TreeBuilder builder(text, source);
+JsonTree parse_tree(std::string_view text, const std::string& source, const JsonHeader& header) {
+  TreeBuilder builder(text, source, header);
   Json::sax_parse(text.begin(), text.end(), &builder);
+  for (const char* const key : {"format", "version"})
+    if (!builder.tree.root.contains(key))
+      throw JsonFault{{}, "the member \"" + std::string(key) + "\" is missing"};
   return std::move(builder.tree);
 }
 

@@ -9,7 +9,9 @@
 
 #include "gluing_table.hpp"
 
+#include "tetrarch/core/error.hpp"
 #include "tetrarch/format/document.hpp"
+#include "tetrarch/format/text.hpp"
 
 #include <string>
 #include <string_view>
@@ -50,15 +52,38 @@ int line_of(std::string_view text, const JsonFault& fault);
 /// "the string 'x'", "the number 3", "null", "an array": what was found, for a complaint.
 std::string describe(const Json& value);
 
+/// What the members "format" and "version" of the root must say.
+struct JsonHeader {
+  std::string_view format;
+  int version = 1;
+  bool has_gluings = false; ///< the member "gluings" goes into a table
+};
+
 struct JsonTree {
-  Json root; ///< an object; its member "gluings" is null where the file has an array
+  Json root; ///< an object; its member "gluings" is null where it went into the table
   GluingTable gluings;
-  bool has_gluings = false;
 };
 
 /// Throws InputError where the text is no JSON, JsonFault where it is JSON of the wrong shape: no object at
 /// the root, a repeated key, nesting too deep, a number beyond a double, "format", "version" or "gluings"
-/// wrong in itself. O(length).
-JsonTree parse_tree(std::string_view text, const std::string& source);
+/// missing or wrong in itself. O(length).
+JsonTree parse_tree(std::string_view text, const std::string& source, const JsonHeader& header);
+
+/// The member "format" of the object that `text` is; empty where it is none, or says nothing. O(what stands
+/// before it).
+std::string json_format_of(std::string_view text);
+
+/// What `make` makes of the tree. Throws InputError with the line and the path of whatever is faulty.
+template <class Make>
+auto read_tree(std::string_view text, const std::string& source, const JsonHeader& header, Make make) {
+  if (trimmed(text).empty()) throw InputError(Place{source, 0}, "the text is empty, expected a JSON object");
+  try {
+    return make(parse_tree(text, source, header));
+  } catch (const JsonFault& fault) {
+    const std::string path = path_text(fault.path);
+    throw InputError(Place{source, line_of(text, fault)},
+                     path.empty() ? fault.what : path + ": " + fault.what);
+  }
+}
 
 } // namespace tetrarch::format

@@ -1,70 +1,16 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The canonical text. Arrays that follow the tetrahedra have one of them a line; all else is indented by two.
 #include "tetrarch/format/json.hpp"
+
+#include "json_text.hpp"
 
 #include "tetrarch/core/error.hpp"
 
-#include <algorithm>
 #include <optional>
 #include <utility>
 #include <vector>
 
 namespace tetrarch::format {
 namespace {
-
-/// A member and its value as text; no text: the document has no such member.
-struct Member {
-  std::string key;
-  std::optional<std::string> text;
-};
-
-std::string indent(int depth) {
-  return std::string(static_cast<std::size_t>(2 * depth), ' ');
-}
-
-/// Strings of a document are UTF-8; what is not becomes U+FFFD rather than an exception in the midst of
-/// saving.
-std::string dumped(const Json& value, int depth) {
-  const std::string flat = value.dump(2, ' ', false, Json::error_handler_t::replace);
-  std::string text;
-  for (const char c : flat) { // a line break stands between tokens only: in strings it is escaped
-    text += c;
-    if (c == '\n') text += indent(depth);
-  }
-  return text;
-}
-
-/// The members of `read` in their order, known ones with their new text, then the known ones that are new.
-std::string object_text(const Json& read, std::vector<Member> known, int depth) {
-  std::string text;
-  const auto add = [&](const std::string& key, const std::string& value) {
-    text += (text.empty() ? "{\n" : ",\n") + indent(depth + 1) + dumped(Json(key), 0) + ": " + value;
-  };
-  if (read.is_object()) {
-    for (const auto& [key, value] : read.items()) {
-      const auto at =
-          std::find_if(known.begin(), known.end(), [&k = key](const Member& m) { return m.key == k; });
-      if (at == known.end()) {
-        add(key, dumped(value, depth + 1));
-      } else if (at->text) {
-        add(key, *at->text);
-        at->text.reset();
-      }
-    }
-  }
-  for (const Member& m : known)
-    if (m.text) add(m.key, *m.text);
-  return text.empty() ? "{}" : text + "\n" + indent(depth) + "}";
-}
-
-/// `lines` as an array with one entry a line.
-std::string array_text(const std::vector<std::string>& lines, int depth) {
-  if (lines.empty()) return "[]";
-  std::string text = "[\n";
-  for (std::size_t i = 0; i < lines.size(); ++i)
-    text += indent(depth + 1) + lines[i] + (i + 1 < lines.size() ? ",\n" : "\n");
-  return text + indent(depth) + "]";
-}
 
 std::string gluings_text(const Triangulation& tri) {
   std::vector<std::string> lines;
@@ -90,55 +36,95 @@ std::string number_text(const std::optional<Number>& number) {
 }
 
 template <class T>
-std::optional<std::string> per_edge_text(const std::vector<PerEdge<T>>& list, int tetrahedra) {
-  if (list.empty()) return std::nullopt;
-  if (list.size() != static_cast<std::size_t>(tetrahedra))
-    throw PreconditionError("a metric of " + std::to_string(list.size()) +
-                            " tetrahedra on a triangulation of " + std::to_string(tetrahedra));
-  std::vector<std::string> lines;
-  lines.reserve(list.size());
-  for (const PerEdge<T>& six : list) {
-    std::string line;
-    for (const T& entry : six) line += (line.empty() ? "[" : ", ") + number_text(entry);
-    lines.push_back(line + "]");
-  }
-  return array_text(lines, 2);
+std::optional<std::string> per_edge_text(const std::vector<PerEdge<T>>& list) {
+  return list_text(list, 2, [](const PerEdge<T>& six) {
+    return row_text(six, [](const T& entry) { return number_text(entry); });
+  });
 }
+
+/// Lists of one entry per tetrahedron; an empty one is left out.
+class SizeCheck {
+public:
+  SizeCheck(const char* what, int tetrahedra) : what_(what), tetrahedra_(tetrahedra) {}
+  template <class List>
+  const List& operator()(const List& list) const {
+    if (!list.empty() && list.size() != static_cast<std::size_t>(tetrahedra_))
+      throw PreconditionError(std::string(what_) + " of " + std::to_string(list.size()) +
+                              " tetrahedra on a triangulation of " + std::to_string(tetrahedra_));
+    return list;
+  }
+
+private:
+  const char* what_;
+  int tetrahedra_;
+};
 
 std::optional<std::string> metric_text(const Document& document) {
   if (!document.metric) return std::nullopt;
   const Metric& metric = *document.metric;
-  const int tetrahedra = document.triangulation.size();
+  const SizeCheck sized("a metric", document.triangulation.size());
   std::optional<std::string> volume;
   if (metric.volume) volume = number_text(*metric.volume);
   return object_text(metric.members,
-                     {{"edge_lengths", per_edge_text(metric.edge_lengths, tetrahedra)},
-                      {"dihedral_angles", per_edge_text(metric.dihedral_angles, tetrahedra)},
+                     {{"edge_lengths", per_edge_text(sized(metric.edge_lengths))},
+                      {"dihedral_angles", per_edge_text(sized(metric.dihedral_angles))},
                       {"volume", volume}},
+                     1);
+}
+
+std::string flat_text(const std::array<bool, 4>& flat) {
+  std::vector<int> faces;
+  for (int f = 0; f < 4; ++f)
+    if (flat[f]) faces.push_back(f);
+  return row_text(faces, [](int face) { return std::to_string(face); });
+}
+
+std::optional<std::string> canonical_text(const Document& document) {
+  if (!document.canonical) return std::nullopt;
+  const CanonicalCells& canonical = *document.canonical;
+  const SizeCheck sized("canonical cells", document.triangulation.size());
+  std::optional<std::string> signature;
+  if (!canonical.isometry_signature.empty()) signature = dumped(Json(canonical.isometry_signature), 0);
+  return object_text(
+      canonical.members,
+      {{"cells", dumped(Json(canonical.cells), 2)},
+       {"cell_of", list_text(sized(canonical.cell_of), 2, [](int cell) { return std::to_string(cell); })},
+       {"flat_faces", list_text(sized(canonical.flat_faces), 2, flat_text)},
+       {"isometry_signature", signature}},
+      1);
+}
+
+std::optional<std::string> bundle_text(const Document& document) {
+  if (!document.bundle) return std::nullopt;
+  const FiberCoordinates& bundle = *document.bundle;
+  const SizeCheck sized("fibre coordinates", document.triangulation.size());
+  const auto point_text = [](const std::array<double, 3>& point) {
+    return row_text(point, [](double x) { return double_text(x); });
+  };
+  const std::string euler = bundle.euler_number ? std::to_string(*bundle.euler_number) : "null";
+  return object_text(bundle.members,
+                     {{"fiber", std::to_string(bundle.fiber)},
+                      {"euler_number", euler},
+                      {"base_vertices", list_text(bundle.base_vertices, 2, point_text)},
+                      {"base_triangles", integer_rows_text(bundle.base_triangles, 2)},
+                      {"triangle_of", list_text(sized(bundle.triangle_of), 2,
+                                                [](int triangle) { return std::to_string(triangle); })},
+                      {"vertices", integer_rows_text(sized(bundle.vertices), 2)},
+                      {"levels", integer_rows_text(sized(bundle.levels), 2)}},
                      1);
 }
 
 } // namespace
 
 std::string write_json(const Document& document) {
-  std::optional<std::string> name;
-  if (!document.name.empty()) name = dumped(Json(document.name), 0);
-  std::optional<std::string> provenance;
-  if (!document.provenance.is_null()) {
-    if (!document.provenance.is_object())
-      throw PreconditionError("the provenance of a document must be an object");
-    provenance = dumped(document.provenance, 1);
-  }
-  return object_text(document.members,
-                     {{"format", dumped(Json(std::string(json_format_tag)), 0)},
-                      {"version", std::to_string(json_format_version)},
-                      {"name", name},
-                      {"tetrahedra", std::to_string(document.triangulation.size())},
-                      {"gluings", gluings_text(document.triangulation)},
-                      {"metric", metric_text(document)},
-                      {"provenance", provenance}},
-                     0) +
-         "\n";
+  std::vector<JsonMember> members = first_members(json_format_tag, json_format_version, document.name);
+  members.push_back({"tetrahedra", std::to_string(document.triangulation.size())});
+  members.push_back({"gluings", gluings_text(document.triangulation)});
+  members.push_back({"metric", metric_text(document)});
+  members.push_back({"canonical", canonical_text(document)});
+  members.push_back({"bundle", bundle_text(document)});
+  members.push_back(provenance_member(document.provenance));
+  return object_text(document.members, std::move(members), 0) + "\n";
 }
 
 } // namespace tetrarch::format

@@ -3,6 +3,7 @@
 
 #include "tetrarch/format/gmsh.hpp"
 #include "tetrarch/format/medit.hpp"
+#include "tetrarch/format/mesh_json.hpp"
 #include "tetrarch/format/surface_files.hpp"
 #include "tetrarch/format/tetgen.hpp"
 #include "tetrarch/format/text.hpp"
@@ -17,7 +18,8 @@ namespace {
 /// A declaration and comments may stand before the first element of an XML file, but not more than this.
 constexpr std::size_t xml_head = 4096;
 
-constexpr std::string_view any_mesh = "a mesh: MEDIT, Gmsh, TetGen, VTK, VTU, OBJ, OFF, STL or PLY";
+constexpr std::string_view any_mesh =
+    "a mesh: MEDIT, Gmsh, TetGen, VTK, VTU, OBJ, OFF, STL, PLY or Tetrarch JSON";
 
 struct Row {
   MeshFormat format;
@@ -73,6 +75,7 @@ TetgenPaths tetgen_paths(const std::string& path) {
 std::string name_of(MeshFormat format) {
   for (const Row& row : rows)
     if (row.format == format) return std::string(row.name);
+  if (format == MeshFormat::json) return "json";
   throw PreconditionError("no such mesh format");
 }
 
@@ -87,7 +90,11 @@ std::optional<MeshFormat> recognise_mesh(std::string_view text, const std::strin
   constexpr std::string_view vtk_mark = "# vtk DataFile";
   if (text.substr(0, vtk_mark.size()) == vtk_mark) return MeshFormat::vtk;
   if (text.substr(0, xml_head).find("<VTKFile") != std::string_view::npos) return MeshFormat::vtu;
-  if (const auto format = recognise_word(first_word(text))) return format;
+  const std::string_view word = first_word(text);
+  if (const auto format = recognise_word(word)) return format;
+  // Not by the extension, which is that of triangulations too.
+  if (!word.empty() && word.front() == '{')
+    return looks_like_mesh_json(text) ? std::optional(MeshFormat::json) : std::nullopt;
   return mesh_format_for_extension(source);
 }
 
@@ -113,6 +120,8 @@ Soup read_soup(std::string_view text, const std::string& source) {
     return read_stl(text, source);
   case MeshFormat::ply:
     return read_ply(text, source);
+  case MeshFormat::json:
+    return read_mesh_json(text, source).soup;
   }
   throw PreconditionError("no such mesh format");
 }
@@ -172,6 +181,8 @@ std::string write_soup(const Soup& soup, MeshFormat format) {
     return write_stl(soup);
   case MeshFormat::ply:
     return write_ply(soup);
+  case MeshFormat::json:
+    return write_mesh_json(mesh_document_of(soup));
   }
   throw PreconditionError("no such mesh format");
 }

@@ -32,6 +32,15 @@ inline std::vector<std::string> files_in(const std::string& folder) {
   return paths;
 }
 
+/// All files below a folder, by name.
+inline std::vector<std::string> files_below(const std::string& folder) {
+  std::vector<std::string> paths;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder))
+    if (entry.is_regular_file()) paths.push_back(entry.path().string());
+  std::sort(paths.begin(), paths.end());
+  return paths;
+}
+
 /// An empty directory that disappears with its owner.
 class Scratch {
 public:

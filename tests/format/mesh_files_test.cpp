@@ -241,6 +241,7 @@ TEST_CASE("meshes are known by their content, then by their extension", "[mesh]"
   for (const std::string text : {"cPcbbbiht", "% Triangulation\n", "{}", "2\n1 1 1 1\n", "", "<regina/>"})
     CHECK_FALSE(looks_like_mesh(text, "f"));
   CHECK(error_of([] { read_soup("cPcbbbiht", "f"); }) ==
-        "f:1: found 'cPcbbbiht', expected a mesh: MEDIT, Gmsh, TetGen, VTK, VTU, OBJ, OFF, STL or PLY");
+        "f:1: found 'cPcbbbiht', expected a mesh: MEDIT, Gmsh, TetGen, VTK, VTU, OBJ, OFF, STL, PLY or "
+        "Tetrarch JSON");
   CHECK(error_of([] { write_soup(two_tetrahedra(), MeshFormat::tetgen); }).find(".ele") != std::string::npos);
 }

@@ -65,10 +65,35 @@ struct Metric {
   Json members;
 };
 
+/// How tetrahedra make up the cells of a canonical decomposition.
+struct CanonicalCells {
+  std::vector<std::string> cells; ///< the cells' names, by their numbers
+  std::vector<int> cell_of;       ///< of each tetrahedron
+  /// Of each tetrahedron and face, whether it is only drawn, inside of a cell; both sides agree.
+  std::vector<std::array<bool, 4>> flat_faces;
+  std::string isometry_signature; ///< equal exactly for isometric manifolds; empty: not said
+  Json members;                   ///< as of a Metric
+};
+
+/// The projection of a circle bundle's total space to its base surface. Vertices of the triangulation lie
+/// over vertices of the base, at a level 0 ... fiber, of which the last is the first again.
+struct FiberCoordinates {
+  int fiber = 1; ///< edges of a fibre
+  std::optional<int> euler_number;
+  std::vector<std::array<double, 3>> base_vertices;
+  std::vector<std::array<int, 3>> base_triangles;
+  std::vector<int> triangle_of;             ///< of each tetrahedron, the base triangle below it
+  std::vector<std::array<int, 4>> vertices; ///< of each tetrahedron, the base vertices below its own
+  std::vector<std::array<int, 4>> levels;   ///< and the levels of those over the triangle
+  Json members;                             ///< as of a Metric
+};
+
 struct Document {
   Triangulation triangulation = Triangulation();
   std::string name; ///< UTF-8; empty: none
   std::optional<Metric> metric;
+  std::optional<CanonicalCells> canonical;
+  std::optional<FiberCoordinates> bundle;
   Json provenance; ///< an object that says where all this came from; null: none
   /// The object as it was read, for its unknown members and their order; null if it was not read. The members
   /// known above are written from above, whatever stands here.

@@ -7,8 +7,7 @@
 /// Written, for a record of n tetrahedra:
 ///
 ///     2                                            n
-///        1    1    1    1                          2n lines: neighbours and permutations, as in SnapPea
-///        files
+///        1    1    1    1                          2n lines: neighbours and permutations, as SnapPea's
 ///      0123 1203 1032 3021
 ///        0    0    0    0
 ///      0123 1320 2013 1032

@@ -14,8 +14,10 @@
 /// | off    | .off       | a surface   | OFF, COFF, NOFF and the like           |
 /// | stl    | .stl       | a surface   | solid, or the length says so (binary)  |
 /// | ply    | .ply       | a surface   | ply                                    |
+/// | json   | none       | both        | { and the member "format" says so      |
 ///
-/// Where the text says nothing, the extension of the source does.
+/// Where the text says nothing, the extension of the source does; .json is that of triangulations as well.
+/// What JSON holds beyond a soup is had by mesh_json.hpp.
 
 #include "tetrarch/format/soup.hpp"
 
@@ -26,7 +28,7 @@
 
 namespace tetrarch::format {
 
-enum class MeshFormat : std::uint8_t { medit, gmsh, tetgen, vtk, vtu, obj, off, stl, ply };
+enum class MeshFormat : std::uint8_t { medit, gmsh, tetgen, vtk, vtu, obj, off, stl, ply, json };
 
 /// "medit", "gmsh", "tetgen" and so on.
 std::string name_of(MeshFormat format);

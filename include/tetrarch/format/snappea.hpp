@@ -9,8 +9,7 @@
 ///     oriented_manifold                        or nonorientable_manifold, unknown_orientability
 ///     CS_unknown                               or CS_known and a number
 ///     1 0                                      torus cusps, Klein bottle cusps
-///         torus   0.0   0.0                    per cusp: its kind and its Dehn filling; 0 0 is a complete
-///         cusp
+///         torus   0.0   0.0                    per cusp: its kind, and its Dehn filling: 0 0 is complete
 ///     2                                        tetrahedra
 ///       1 1 1 1                                per tetrahedron: who lies across faces 0, 1, 2, 3
 ///       0132 1230 2310 2103                    by which permutations

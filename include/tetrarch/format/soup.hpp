@@ -55,6 +55,7 @@ struct Labels {
   friend bool operator==(const Labels&, const Labels&) = default;
 };
 
+/// The points, tetrahedra and triangles of a mesh file, unchecked.
 struct Soup {
   std::string source;       ///< what error messages call the file
   std::string point_source; ///< the file of the points, where that is another one; else empty

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+/// The canonical layout: lists with one entry a line, all else indented by two; members in the order in which
+/// they were read, then new ones in the order of the format.
+
+#include "tetrarch/format/document.hpp"
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace tetrarch::format {
+
+/// A member and its value as text; no text: the document has no such member.
+struct JsonMember {
+  std::string key;
+  std::optional<std::string> text;
+};
+
+/// Any value. Strings of a document are UTF-8; what is not becomes U+FFFD rather than an exception in the
+/// midst of saving.
+std::string dumped(const Json& value, int depth);
+
+/// The members of `read` in their order, known ones with their new text, then the known ones that are new.
+std::string object_text(const Json& read, std::vector<JsonMember> known, int depth);
+
+/// `lines` as an array with one entry a line.
+std::string array_text(const std::vector<std::string>& lines, int depth);
+
+/// The members that every format has: "format" and "version", "name" if there is one ...
+std::vector<JsonMember> first_members(std::string_view format, int version, const std::string& name);
+/// ... and "provenance". Throws PreconditionError unless it is an object or null.
+JsonMember provenance_member(const Json& provenance);
+
+/// The fewest digits that read back as the same double, signed zeros included; null for what is no number.
+/// Throws PreconditionError if `value` is infinite.
+std::string double_text(double value);
+
+/// `entries` in brackets, each as `text(entry)` says.
+template <class Entries, class Text>
+std::string row_text(const Entries& entries, Text text) {
+  std::string line;
+  for (const auto& entry : entries) line += (line.empty() ? "[" : ", ") + text(entry);
+  return (line.empty() ? "[" : line) + "]";
+}
+
+/// `list` as an array with one entry a line, each as `text(entry)` says; nothing if it is empty.
+template <class List, class Text>
+std::optional<std::string> list_text(const List& list, int depth, Text text) {
+  if (list.empty()) return std::nullopt;
+  std::vector<std::string> lines;
+  lines.reserve(list.size());
+  for (const auto& entry : list) lines.push_back(text(entry));
+  return array_text(lines, depth);
+}
+
+/// Each entry an array of integers.
+template <class List>
+std::optional<std::string> integer_rows_text(const List& list, int depth) {
+  const auto integer = [](int value) { return std::to_string(value); };
+  return list_text(list, depth, [&integer](const auto& row) { return row_text(row, integer); });
+}
+
+} // namespace tetrarch::format
