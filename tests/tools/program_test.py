@@ -14,18 +14,8 @@ import tempfile
 import time
 import unittest
 
-PROGRAM = os.path.abspath(sys.argv[1])
-SOURCE = os.path.abspath(sys.argv[2])
-
-
-def run(*arguments, stdin=None, cwd=None, env=None):
-    return subprocess.run([PROGRAM, *arguments], input=stdin, capture_output=True, text=True, cwd=cwd,
-                          timeout=300, env=env)
-
-
-def run_json(*arguments):
-    done = run(*arguments, "--json")
-    return done.returncode, json.loads(done.stdout)
+from options_test import *  # noqa: F401,F403: the tests of options that stand nowhere else
+from running import PROGRAM, InFolder, SOURCE, run, run_json, unused_options
 
 
 class Info(unittest.TestCase):
@@ -203,7 +193,7 @@ class Identify(unittest.TestCase):
 
     def test_bad_input(self):
         with tempfile.TemporaryDirectory() as folder:
-            for arguments in (["subdivide", "cPcbbbihq"], ["subdivide", "cPcbbbihq", "-o", "a.xyz"],
+            for arguments in (["subdivide", "cPcbbbihq", "-o", "a.xyz"],
                               ["subdivide", "cPcbbbihq", "--barycentric", "5", "-o", "a.json"],
                               ["census", "identify", "baa", "--attempts", "0"], ["census", "identify", "nothing.json"]):
                 done = run(*arguments, cwd=folder)
@@ -657,22 +647,7 @@ class View(unittest.TestCase):
         self.assertIn("tetrarch embed", done.stderr)
 
 
-class InAFolder(unittest.TestCase):
-    """A folder of its own for each test."""
-
-    def setUp(self):
-        self.folder = tempfile.TemporaryDirectory()
-        self.addCleanup(self.folder.cleanup)
-
-    def path(self, name, text=None):
-        path = os.path.join(self.folder.name, name)
-        if text is not None:
-            with open(path, "w", encoding="utf-8") as file:
-                file.write(text)
-        return path
-
-
-class Bundle(InAFolder):
+class Bundle(InFolder):
     def surface(self, name):
         return os.path.join(SOURCE, "tests/data/mesh", name)
 
@@ -771,7 +746,7 @@ class Bundle(InAFolder):
         self.assertEqual((made["homology"], made["euler_number"], made["surface"]["type"]), ("Z/4", 1, "projective plane"))
 
 
-class Register(InAFolder):
+class Register(InFolder):
     def test_a_surface_with_itself_moved(self):
         ring = os.path.join(SOURCE, "tests/data/mesh/ring_two_holes.off")
         with open(ring, encoding="utf-8") as file:
@@ -803,7 +778,7 @@ class Register(InAFolder):
             self.assertIn(complaint, done.stderr)
 
 
-class Product(InAFolder):
+class Product(InFolder):
     def setUp(self):
         super().setUp()
         self.ridges = os.path.join(SOURCE, "tests/data/genus4_ridges.mesh")
@@ -965,7 +940,7 @@ class Product(InAFolder):
         self.assertIn("extension", self.refused(self.ridges, "-o", self.path("never.tri")))
 
 
-class Slit(InAFolder):
+class Slit(InFolder):
     def setUp(self):
         super().setUp()
         self.ring = os.path.join(SOURCE, "tests/data/mesh/ring_two_holes.off")
@@ -1157,4 +1132,8 @@ class Slit(InAFolder):
 
 
 if __name__ == "__main__":
-    unittest.main(argv=[sys.argv[0], *sys.argv[3:]])
+    well = unittest.main(argv=[sys.argv[0], *sys.argv[3:]], exit=False).result.wasSuccessful()
+    unused = unused_options() if well and len(sys.argv) == 3 else []  # more arguments: some tests only
+    if unused:
+        print("no test uses " + ", ".join(unused), file=sys.stderr)
+    sys.exit(0 if well and not unused else 1)

@@ -177,8 +177,30 @@ Json index_json(const std::vector<int>& index) {
   return {{"singular_triangles", broken}, {"index_sum", sum}};
 }
 
+/// The total space with its projection.
+format::Document document_of(const Plan& plan, const bundle::CircleBundle& bundle,
+                             const bundle::Proof& proof) {
+  format::Document document = format::document_of(bundle.total);
+  format::FiberCoordinates& fibers = document.bundle.emplace();
+  fibers.fiber = bundle.fiber;
+  if (proof.has_euler_number) fibers.euler_number = proof.euler_number;
+  fibers.base_vertices = plan.cut.points;
+  for (int t = 0; t < bundle.base.triangle_count(); ++t)
+    fibers.base_triangles.push_back(bundle.base.corners(t));
+  for (int t = 0; t < bundle.total.size(); ++t) {
+    fibers.triangle_of.push_back(bundle.triangle(t));
+    std::array<int, 4>& vertices = fibers.vertices.emplace_back();
+    std::array<int, 4>& levels = fibers.levels.emplace_back();
+    for (int v = 0; v < 4; ++v) {
+      vertices[v] = bundle.base.corners(bundle.triangle(t))[bundle.corner({t, v})];
+      levels[v] = bundle.level({t, v});
+    }
+  }
+  return document;
+}
+
 void add_outputs(Result& result, const Plan& plan, const bundle::CircleBundle& bundle,
-                 const std::vector<int>& index, const Options& options) {
+                 const format::Document& document, const std::vector<int>& index, const Options& options) {
   const auto scene_of = [&](const std::string& path) {
     const bool cells = format::has_extension(path, ".vtu") || plan.method == Plan::Method::disk;
     if (options.show == "surface") return scene::cut_surface(plan, index);
@@ -190,7 +212,7 @@ void add_outputs(Result& result, const Plan& plan, const bundle::CircleBundle& b
     else if (const auto format = scene::scene_format_for_extension(path))
       result.files.push_back({path, write_scene(scene_of(path), *format)});
     else
-      add_file(result, path, format::document_of(bundle.total));
+      add_file(result, path, document);
   }
 }
 
@@ -253,7 +275,7 @@ Rows details_rows(const Plan& plan, const Json& details, const Made& made, const
 
 Result run_bundle(const Options& options, const Context& context) {
   require_outputs(options);
-  const SurfaceInput surface = read_surface(options.input, options.repair);
+  const SurfaceInput surface = read_surface(options.input, context, options.repair);
   const PlanOptions wanted = plan_options(options, surface);
   const SurfaceType type = mesh::type_of(surface.mesh.surface);
   require_room(wanted, surface, type, options);
@@ -281,7 +303,9 @@ Result run_bundle(const Options& options, const Context& context) {
   result.json = std::move(info.json);
   result.json["surface"] = {{"type", type.str()}, {"triangles", triangles}, {"euler", type.euler}};
   result.json.update(details);
-  add_outputs(result, plan, made.bundle, singular.field, options);
+  format::Document document = document_of(plan, made.bundle, made.proof);
+  add_outputs(result, plan, made.bundle, document, singular.field, options);
+  result.value = std::make_shared<Value>(std::move(document));
   return result;
 }
 
@@ -290,10 +314,11 @@ Result run_bundle(const Options& options, const Context& context) {
 Run declare_bundle(CLI::App& app) {
   const auto o = std::make_shared<Options>();
   app.add_option("SURFACE", o->input, "a surface: OBJ, OFF, PLY or STL")->required();
-  app.add_option(
-         "-o,--output", o->outputs,
-         "the triangulation (.json, .tri, .sig ...), the mesh with its coordinates (.vtu), or a picture: "
-         ".glb, .ply or .obj of the solid tori, .svg of the bands to be glued; may be repeated")
+  app.add_option("-o,--output", o->outputs,
+                 "the triangulation (.json with fibre coordinates, .tri, .sig ...), the mesh with its "
+                 "coordinates (.vtu), or a picture: "
+                 ".glb, .ply or .obj of the solid tori, .svg of the bands to be glued; may be repeated")
+      ->type_name("FILE")
       ->allow_extra_args(false);
   app.add_option("--fiber", o->plan.fiber, "edges of a fibre; 1 is the least that works")
       ->capture_default_str();
@@ -303,6 +328,7 @@ Run declare_bundle(CLI::App& app) {
          "--boundary", o->boundary,
          "free, or a file of lines 'u v value': a boundary edge by the numbers that the surface's file uses, "
          "and +1 or -1")
+      ->type_name("FILE")
       ->capture_default_str();
   app.add_option("--cut", o->cut, "dissertation: equator or canonical loops; any: a short cut graph")
       ->check(CLI::IsMember({"dissertation", "any"}))
@@ -313,7 +339,8 @@ Run declare_bundle(CLI::App& app) {
   app.add_option("--field", o->field,
                  "X Y Z: instead of random directions, this vector projected to the surface")
       ->expected(3);
-  app.add_option("--obstruction", o->obstruction, "where to write the part of a disk that has no solution");
+  app.add_option("--obstruction", o->obstruction, "where to write the part of a disk that has no solution")
+      ->type_name("FILE");
   app.add_option("--memory", o->memory, "gigabytes that may be used")->capture_default_str();
   app.add_flag("--repair", o->repair,
                "mend orientation, unused vertices, duplicates, degenerate triangles first");

@@ -6,6 +6,7 @@
 #include "tetrarch/canonical/canonize.hpp"
 #include "tetrarch/core/error.hpp"
 #include "tetrarch/core/signature.hpp"
+#include "tetrarch/core/union_find.hpp"
 #include "tetrarch/format/json.hpp"
 #include "tetrarch/hyperbolic/search.hpp"
 
@@ -13,6 +14,7 @@
 #include <algorithm>
 #include <map>
 #include <memory>
+#include <numeric>
 #include <optional>
 
 namespace tetrarch::program {
@@ -31,7 +33,7 @@ struct Solved {
 };
 
 Solved solve(const std::string& input, const Context& context) {
-  const format::Document document = read_triangulation(input);
+  const format::Document document = read_triangulation(input, context);
   require_manifold(document.triangulation, input);
   hyperbolic::SearchOptions search;
   search.seed = context.seed;
@@ -58,6 +60,26 @@ std::string cell_summary(const std::vector<std::string>& cells) {
   items.reserve(count.size());
   for (const auto& [cell, n] : count) items.push_back(counted(n, cell));
   return joined(items, ", ");
+}
+
+/// Tetrahedra with a flat face between them are parts of one cell; cells are numbered by their first one.
+format::CanonicalCells cells_of(const Canonical& c) {
+  std::vector<int> root(static_cast<std::size_t>(c.triangulation.size()));
+  std::iota(root.begin(), root.end(), 0);
+  for (int t = 0; t < c.triangulation.size(); ++t)
+    for (int f = 0; f < 4; ++f)
+      if (c.flat[t][f]) {
+        const int a = find_root(root, t);
+        const int b = find_root(root, c.triangulation.gluing({t, f}).tet);
+        root[std::max(a, b)] = std::min(a, b);
+      }
+  format::CanonicalCells result{c.cells, std::vector<int>(root.size()), c.flat, c.isometry_signature, {}};
+  int cells = 0;
+  for (int t = 0; t < c.triangulation.size(); ++t) {
+    const int first = find_root(root, t);
+    result.cell_of[t] = first == t ? cells++ : result.cell_of[first];
+  }
+  return result;
 }
 
 Result canonize(const std::string& input, const std::string& output, const Context& context) {
@@ -88,7 +110,10 @@ Result canonize(const std::string& input, const std::string& output, const Conte
                        {"volume", fixed(solved.volume, 12)}});
   if (c.has_flat_faces)
     result.warnings.emplace_back("some faces are flat to 30 digits, which is confirmed but not certified");
-  if (!output.empty()) result.files.push_back({output, write_json(format::document_of(c.triangulation))});
+  format::Document document = format::document_of(c.triangulation);
+  document.canonical = cells_of(c);
+  if (!output.empty()) result.files.push_back({output, write_json(document)});
+  result.value = std::make_shared<Value>(std::move(document));
   return result;
 }
 
@@ -138,7 +163,8 @@ Run declare_canonize(CLI::App& app) {
   const auto input = std::make_shared<std::string>();
   const auto output = std::make_shared<std::string>();
   app.add_option("X", *input, "a triangulation that carries a structure")->required();
-  app.add_option("-o,--output", *output, "the canonical triangulation, as JSON");
+  app.add_option("-o,--output", *output, "the canonical triangulation with its cells, as JSON")
+      ->type_name("FILE");
   return [input, output](const Context& context) { return canonize(*input, *output, context); };
 }
 

@@ -5,6 +5,7 @@
 #include "tetrarch/census/gluings.hpp"
 #include "tetrarch/census/validate.hpp"
 #include "tetrarch/core/error.hpp"
+#include "tetrarch/core/signature.hpp"
 #include "tetrarch/format/text.hpp"
 
 #include <CLI/CLI.hpp>
@@ -116,12 +117,13 @@ Run declare_census_gluings(CLI::App& app) {
       ->excludes(orientable);
   app.add_flag("--ideal", options->gluings.ideal, "at least one vertex link is no sphere");
   app.add_option("--links", options->links,
-                 "every vertex link is among these: genera (0 the sphere), nK for K crosscaps");
+                 "every vertex link is among these: genera (0 the sphere), nK for K crosscaps")
+      ->type_name("LIST");
   app.add_option("--min-valence", options->gluings.min_valence, "no edge class of smaller valence")
       ->check(CLI::Range(1, 72));
   app.add_flag("--allow-invalid", options->gluings.allow_invalid,
                "let edges be identified with themselves reversed");
-  app.add_option("-o,--output", options->output, "write the signatures to a file");
+  app.add_option("-o,--output", options->output, "write the signatures to a file")->type_name("FILE");
   return [options](const Context& context) {
     using Orientability = census::GluingOptions::Orientability;
     census::GluingOptions gluings = options->gluings;
@@ -149,7 +151,8 @@ Run declare_census_enumerate(CLI::App& app) {
   const auto tetrahedra = std::make_shared<int>(3);
   const auto output = std::make_shared<std::string>();
   add_tetrahedra(app, *tetrahedra, true);
-  app.add_option("-o,--output", *output, "write a census table (the format of census/*.json)");
+  app.add_option("-o,--output", *output, "write a census table (the format of census/*.json)")
+      ->type_name("FILE");
   return [tetrahedra, output](const Context& context) {
     const auto found = census::classify_manifolds(*tetrahedra, context.threads, context.progress);
     Result result;
@@ -217,6 +220,7 @@ Run declare_census_show(CLI::App& app) {
       for (int e = 0; e < 6; ++e)
         rows.emplace_back(e == 0 ? "angles " + std::to_string(t) : "", m.dihedral_angles[t][e]);
     result.text = block(rows);
+    result.value = std::make_shared<Value>(format::document_of(from_signature(m.signature), m.name));
     return result;
   };
 }

@@ -101,8 +101,8 @@ Json counts_json(const mesh::Report& report) {
   return counts;
 }
 
-Result check(const Options& options, const Context&) {
-  format::Soup soup = format::read_soup_file(options.input);
+Result check(const Options& options, const Context& context) {
+  format::Soup soup = read_soup(options.input, context);
   const bool is_surface = soup.tetrahedra.empty() && !soup.triangles.empty();
   Result result;
   result.warnings = soup.warnings;
@@ -136,6 +136,7 @@ Result check(const Options& options, const Context&) {
     if (!format) throw InputError({options.output, 0}, "no mesh format has this extension");
     result.files.push_back({options.output, format::write_soup(soup, *format)});
   }
+  result.value = std::make_shared<Value>(format::mesh_document_of(std::move(soup)));
   return result;
 }
 
@@ -150,7 +151,8 @@ Run declare_check(CLI::App& app) {
   app.add_flag("--repair", options->repair,
                "mend orientation, unused vertices, duplicate and degenerate elements first");
   app.add_option("-o,--output", options->output,
-                 "write the mesh, repaired or not, in the format of the extension");
+                 "write the mesh, repaired or not, in the format of the extension")
+      ->type_name("FILE");
   return [options](const Context& context) { return check(*options, context); };
 }
 

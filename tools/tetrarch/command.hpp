@@ -2,8 +2,10 @@
 #pragma once
 
 /// One table of commands. Each is a function from options to a result value; printing that value as text or
-/// as JSON, writing its files and choosing the exit status happen in one place (main.cpp), and a shell can do
-/// it otherwise.
+/// as JSON, writing its files and choosing the exit status happen in one place (job.cpp). The program and the
+/// shell are two faces of the table.
+
+#include "value.hpp"
 
 #include "tetrarch/core/progress.hpp"
 
@@ -34,13 +36,21 @@ struct Result {
     std::string content;
   };
   std::vector<File> files; ///< written only after everything else went well
+  ValuePointer value;      ///< what `NAME = ...` gives a name to in a session; null: nothing
+};
+
+/// The options that every command shares.
+struct Common {
+  bool json = false;
+  bool quiet = false;
+  std::uint64_t seed = 1;
+  int threads = 1;
 };
 
 /// What every command is given besides its own options.
-struct Context {
-  std::uint64_t seed = 1;
-  int threads = 1;
+struct Context : Common {
   Progress progress;
+  const Values* values = nullptr; ///< what names mean; null outside a session
 };
 
 using Run = std::function<Result(const Context&)>;
@@ -48,14 +58,21 @@ using Run = std::function<Result(const Context&)>;
 struct Command {
   const char* name; ///< "info", "census list"
   const char* summary;
-  const char* example; ///< works as typed
+  const char* example; ///< works as typed after the program's name
   /// Declares the command's own options; what it returns is called after they have been parsed.
   std::function<Run(CLI::App&)> declare;
+  /// In a session, what it makes of a named value takes the name.
+  bool changes = false;
 };
 
 /// All commands, in the order of the help page.
 const std::vector<Command>& commands();
 
+Run declare_help(CLI::App& app);
+Run declare_shell(CLI::App& app);
+Run declare_group(CLI::App& app);
+Run declare_move(CLI::App& app);
+Run declare_skeleton(CLI::App& app);
 Run declare_info(CLI::App& app);
 Run declare_convert(CLI::App& app);
 Run declare_check(CLI::App& app);

@@ -5,11 +5,12 @@
 
 #include "tetrarch/core/error.hpp"
 #include "tetrarch/format/mesh_files.hpp"
+#include "tetrarch/format/mesh_json.hpp"
 #include "tetrarch/format/read.hpp"
+#include "tetrarch/format/text.hpp"
 
 #include <CLI/CLI.hpp>
 #include <filesystem>
-#include <map>
 #include <memory>
 
 namespace tetrarch::program {
@@ -18,23 +19,22 @@ namespace {
 struct Options {
   std::string input;
   std::string output;
-  std::optional<format::FileFormat> to;
+  std::string to; ///< the name of a format; empty: as the extension says
 };
 
 format::FileFormat target(const Options& options) {
-  if (options.to) return *options.to;
+  if (options.to == "json") return format::FileFormat::json;
+  if (options.to == "tri") return format::FileFormat::snappea;
+  if (options.to == "sig") return format::FileFormat::signature;
+  if (options.to == "fmp") return format::FileFormat::fmp;
   if (options.output.empty()) return format::FileFormat::json;
   return output_format(options.output);
 }
 
 /// From mesh to mesh, without asking whether it is good for anything: `check` does.
-Result convert_mesh(const Options& options, format::MeshFormat to) {
-  std::error_code ignored;
-  if (options.input != "-" && !std::filesystem::exists(options.input, ignored))
-    throw InputError({options.input, 0},
-                     "no such file (expected a mesh: other triangulations have no coordinates)");
+Result convert_mesh(const Options& options, format::MeshFormat to, const Context& context) {
   require_folder(options.output);
-  const format::Soup soup = format::read_soup_file(options.input);
+  const format::Soup soup = read_soup(options.input, context);
   Result result;
   result.warnings = soup.warnings;
   result.json = {{"output", options.output},
@@ -42,6 +42,7 @@ Result convert_mesh(const Options& options, format::MeshFormat to) {
                  {"tetrahedra", soup.tetrahedra.size()},
                  {"triangles", soup.triangles.size()},
                  {"warnings", result.warnings}};
+  result.value = std::make_shared<Value>(format::mesh_document_of(soup));
   if (to == format::MeshFormat::tetgen)
     format::write_soup_file(soup, options.output); // two files
   else
@@ -49,15 +50,57 @@ Result convert_mesh(const Options& options, format::MeshFormat to) {
   return result;
 }
 
-Result convert(const Options& options) {
-  if (const auto to = format::mesh_format_for_extension(options.output); to && !options.to)
-    return convert_mesh(options, *to);
-  const format::Document document = read_triangulation(options.input);
+/// Whether JSON of it is a mesh again: what is JSON already or has fields, with all that it says, and
+/// surfaces. JSON of any other mesh is its triangulation.
+bool stays_mesh(const format::MeshDocument& mesh) {
+  return !mesh.members.is_null() || !mesh.fields.empty() || mesh.soup.tetrahedra.empty();
+}
+
+/// What is to be written as a JSON mesh; null if it is something else.
+const format::MeshDocument* json_mesh(const Options& options, const Value& value) {
+  const auto* const mesh = std::get_if<format::MeshDocument>(&value);
+  if (options.to == "mesh" && mesh == nullptr)
+    throw InputError({options.input, 0},
+                     "this is a " + kind_of(value) + " (expected a mesh: it has no coordinates)");
+  const bool wanted =
+      options.to == "mesh" || (options.to.empty() && format::has_extension(options.output, ".json"));
+  return wanted && mesh != nullptr && (options.to == "mesh" || stays_mesh(*mesh)) ? mesh : nullptr;
+}
+
+Result convert_json_mesh(const Options& options, const format::MeshDocument& mesh) {
+  require_folder(options.output);
+  Result result;
+  result.warnings = mesh.soup.warnings;
+  std::string text = write_mesh_json(mesh);
+  if (options.output.empty()) {
+    result.text = std::move(text);
+    return result;
+  }
+  result.json = {{"output", options.output},
+                 {"format", "mesh"},
+                 {"tetrahedra", mesh.soup.tetrahedra.size()},
+                 {"triangles", mesh.soup.triangles.size()},
+                 {"warnings", result.warnings}};
+  result.files.push_back({options.output, std::move(text)});
+  return result;
+}
+
+Result convert(const Options& options, const Context& context) {
+  if (const auto to = format::mesh_format_for_extension(options.output); to && options.to.empty())
+    return convert_mesh(options, *to, context);
+  const ValuePointer value = read_value(options.input, context);
+  if (const format::MeshDocument* mesh = json_mesh(options, *value)) {
+    Result result = convert_json_mesh(options, *mesh);
+    result.value = value;
+    return result;
+  }
+  const format::Document document = triangulation_of(options.input, *value, context);
   const format::FileFormat to = target(options);
   format::Written written = format::write_any(document, to);
   Result result;
   result.warnings = document.warnings;
   result.warnings.insert(result.warnings.end(), written.warnings.begin(), written.warnings.end());
+  result.value = std::make_shared<Value>(document);
   if (options.output.empty()) {
     result.text = std::move(written.text);
     return result;
@@ -74,15 +117,15 @@ Result convert(const Options& options) {
 
 Run declare_convert(CLI::App& app) {
   const auto options = std::make_shared<Options>();
-  static const std::map<std::string, format::FileFormat> formats{{"json", format::FileFormat::json},
-                                                                 {"tri", format::FileFormat::snappea},
-                                                                 {"sig", format::FileFormat::signature},
-                                                                 {"fmp", format::FileFormat::fmp}};
   app.add_option("X", options->input, "a triangulation or a mesh; a mesh may become a mesh")->required();
-  app.add_option("-o,--output", options->output, "the file to write (its extension names the format)");
-  app.add_option("--to", options->to, "the format: json, tri, sig or fmp; standard output if there is no -o")
-      ->transform(CLI::CheckedTransformer(formats).description("{json,tri,sig,fmp}"));
-  return [options](const Context&) { return convert(*options); };
+  app.add_option("-o,--output", options->output, "the file to write (its extension names the format)")
+      ->type_name("FILE");
+  app.add_option(
+         "--to", options->to,
+         "the format, whatever the extension: json of a triangulation, tri, sig, fmp, or mesh: JSON of "
+         "a mesh; standard output if there is no -o")
+      ->check(CLI::IsMember({"json", "tri", "sig", "fmp", "mesh"}));
+  return [options](const Context& context) { return convert(*options, context); };
 }
 
 } // namespace tetrarch::program

@@ -230,9 +230,9 @@ Result run_embed(const Options& options, const Context& context) {
 Run declare_embed(CLI::App& app) {
   const auto o = std::make_shared<Options>();
   app.add_option("X", o->input, "a triangulation that carries a structure")->required();
-  app.add_option(
-      "-o,--output", o->output,
-      "a picture: .glb, .ply, .obj or .vtu; .svg: the circles at infinity, or a boundary's tiling");
+  app.add_option("-o,--output", o->output,
+                 "a picture: .glb, .ply, .obj or .vtu; .svg: the circles at infinity, or a boundary's tiling")
+      ->type_name("FILE");
   app.add_option("--copies", o->copies, "at most so many copies of the domain (1 if nothing bounds them)");
   app.add_option("--word-length", o->word_length, "copies at most so many face crossings away");
   app.add_option("--radius", o->radius, "copies whose centres are at most so far away");

@@ -31,7 +31,7 @@ std::string in_gigabytes(double bytes) {
 
 Embedding embedded(const std::string& input, double cusp_area, const Context& context) {
   if (!(cusp_area > 0)) throw InputError("--cusp-area " + fixed(cusp_area, 3) + ": expected a positive area");
-  format::Document document = read_triangulation(input, {false, context.progress});
+  format::Document document = read_triangulation(input, context);
   require_manifold(document.triangulation, input);
   Embedding e{std::move(document.triangulation), Skeleton(Triangulation()), std::move(document.name), {}, {},
               std::move(document.warnings)};

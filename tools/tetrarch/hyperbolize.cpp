@@ -10,7 +10,6 @@
 #include "tetrarch/hyperbolic/search.hpp"
 
 #include <CLI/CLI.hpp>
-#include <map>
 #include <memory>
 #include <sstream>
 
@@ -24,7 +23,7 @@ struct Options {
   std::string input;
   std::string output;
   std::string history;
-  hyperbolic::Method method = hyperbolic::Method::newton;
+  std::string method = "newton";
   bool as_given = false;
   int attempts = hyperbolic::SearchOptions{}.attempts;
 };
@@ -79,10 +78,10 @@ hyperbolic::Search solve(const Triangulation& tri, const Options& options, const
     found.attempts = 1;
   } else {
     found = find_structure(tri, how, context.progress);
-    if (options.method == hyperbolic::Method::newton) return found;
+    if (options.method == "newton") return found;
   }
   hyperbolic::HyperbolizeOptions once;
-  once.method = options.method;
+  once.method = options.method == "flow" ? hyperbolic::Method::flow : hyperbolic::Method::newton;
   found.structure =
       hyperbolic::hyperbolize(found.triangulation, Skeleton(found.triangulation), once, context.progress);
   if (found.structure.outcome == Outcome::stopped) throw Stopped();
@@ -141,7 +140,7 @@ Result hyperbolize(const Options& options, const Context& context) {
   require_folder(options.history);
   if (!options.output.empty() && output_format(options.output) != format::FileFormat::json)
     throw InputError({options.output, 0}, "only JSON holds a metric (expected the extension .json)");
-  format::Document document = read_triangulation(options.input, {false, context.progress});
+  format::Document document = read_triangulation(options.input, context);
   require_manifold(document.triangulation, options.input);
   const hyperbolic::Search search = solve(document.triangulation, options, context);
   const Hyperbolization<double>& found = search.structure;
@@ -158,18 +157,20 @@ Result hyperbolize(const Options& options, const Context& context) {
     write_history_csv(csv, found.history);
     result.files.push_back({options.history, csv.str()});
   }
-  if (!options.output.empty()) {
-    if (found.outcome == Outcome::geometric) {
-      if (search.changed) { // what else the document says is about another triangulation
-        document.members = nullptr;
-        document.provenance = nullptr;
-      }
-      attach_metric(document, skeleton, found);
-      result.files.push_back({options.output, write_json(document)});
-    } else {
+  if (found.outcome != Outcome::geometric) {
+    if (!options.output.empty())
       result.warnings.push_back(options.output + " was not written: no structure was found");
-    }
+    return result;
   }
+  if (search.changed) { // what else the document says is about another triangulation
+    document.members = nullptr;
+    document.canonical.reset();
+    document.bundle.reset();
+    document.provenance = nullptr;
+  }
+  attach_metric(document, skeleton, found);
+  if (!options.output.empty()) result.files.push_back({options.output, write_json(document)});
+  result.value = std::make_shared<Value>(std::move(document));
   return result;
 }
 
@@ -177,20 +178,20 @@ Result hyperbolize(const Options& options, const Context& context) {
 
 Run declare_hyperbolize(CLI::App& app) {
   const auto options = std::make_shared<Options>();
-  static const std::map<std::string, hyperbolic::Method> methods{{"newton", hyperbolic::Method::newton},
-                                                                 {"flow", hyperbolic::Method::flow}};
   app.add_option("X", options->input, "a triangulation or mesh; its boundary becomes geodesic, or a cusp")
       ->required();
-  app.add_option("--method", options->method, "newton (default) or flow: Luo's curvature flow from length 1")
-      ->transform(CLI::CheckedTransformer(methods).description("{newton,flow}"));
-  app.add_option("--history", options->history, "the flow's history of sum K^2, as CSV");
-  app.add_option("-o,--output", options->output, "the triangulation with its metric, as JSON");
+  app.add_option("--method", options->method, "the flow is Luo's, from length 1")
+      ->check(CLI::IsMember({"newton", "flow"}))
+      ->capture_default_str();
+  app.add_option("--history", options->history, "the flow's history of sum K^2, as CSV")->type_name("FILE");
+  app.add_option("-o,--output", options->output, "the triangulation with its metric, as JSON")
+      ->type_name("FILE");
   app.add_flag("--as-given", options->as_given, "solve on the triangulation as it is, and on no other");
   app.add_option("--attempts", options->attempts, "on how many triangulations to seek a structure")
       ->check(CLI::Range(1, 10'000'000))
       ->capture_default_str();
   return [options](const Context& context) {
-    if (!options->history.empty() && options->method != hyperbolic::Method::flow)
+    if (!options->history.empty() && options->method != "flow")
       throw InputError("--history needs --method flow: Newton's method has no flow to record");
     return hyperbolize(*options, context);
   };

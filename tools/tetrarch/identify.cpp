@@ -19,7 +19,7 @@ namespace {
 
 Result identify(const std::string& input, int attempts, const Context& context) {
   using census::Identification;
-  const format::Document document = read_triangulation(input, {false, context.progress});
+  const format::Document document = read_triangulation(input, context);
   require_manifold(document.triangulation, input);
   const Identification found =
       census::identify(document.triangulation, {context.seed, attempts}, context.progress);
@@ -35,6 +35,7 @@ Result identify(const std::string& input, int attempts, const Context& context) 
   result.json["signature"] = signature(found.triangulation);
   result.json["confirmed_only"] = found.confirmed_only;
   result.json["tried"] = found.tried;
+  if (found) result.value = std::make_shared<Value>(format::document_of(found.triangulation, found.name));
 
   std::vector<std::pair<std::string, std::string>> rows{{"name", found ? found.name : "none found"}};
   if (found) rows.emplace_back("by", to_string(found.by));
@@ -77,8 +78,8 @@ Triangulation subdivided(Triangulation tri, const SubdivideOptions& options, con
 }
 
 Result subdivide(const SubdivideOptions& options, const Context& context) {
-  output_format(options.output);
-  format::Document document = read_triangulation(options.input, {false, context.progress});
+  if (!options.output.empty()) output_format(options.output);
+  format::Document document = read_triangulation(options.input, context);
   const int before = document.triangulation.size();
   Triangulation tri = subdivided(std::move(document.triangulation), options, context);
   const Skeleton skeleton(tri);
@@ -90,11 +91,13 @@ Result subdivide(const SubdivideOptions& options, const Context& context) {
                  {"edges", skeleton.edge_count()},
                  {"vertices", skeleton.vertex_count()},
                  {"boundary_faces", skeleton.boundary_face_count()},
-                 {"output", options.output}};
+                 {"output", options.output.empty() ? Json() : Json(options.output)}};
   result.text = counted(tri.size(), "tetrahedron") + ", " + counted(skeleton.vertex_count(), "vertex") +
-                ", " + counted(skeleton.boundary_face_count(), "boundary face") + " written to " +
-                options.output + "\n";
-  add_file(result, options.output, format::document_of(std::move(tri), document.name));
+                ", " + counted(skeleton.boundary_face_count(), "boundary face") +
+                (options.output.empty() ? "\n" : " written to " + options.output + "\n");
+  format::Document made = format::document_of(std::move(tri), document.name);
+  if (!options.output.empty()) add_file(result, options.output, made);
+  result.value = std::make_shared<Value>(std::move(made));
   return result;
 }
 
@@ -118,7 +121,7 @@ Run declare_subdivide(CLI::App& app) {
       ->check(CLI::Range(0, 5));
   app.add_flag("--one-four", options->one_four, "then 4 for each one");
   app.add_option("-o,--output", options->output, "the file to write (its extension names the format)")
-      ->required();
+      ->type_name("FILE");
   return [options](const Context& context) { return subdivide(*options, context); };
 }
 

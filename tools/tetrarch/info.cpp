@@ -100,7 +100,7 @@ Run declare_info(CLI::App& app) {
   const auto input = std::make_shared<std::string>();
   app.add_option("X", *input, "a triangulation")->required();
   return [input](const Context& context) {
-    const format::Document document = read_triangulation(*input);
+    const format::Document document = read_triangulation(*input, context);
     Info info = info_of(document.triangulation, document.name, context.progress);
     Result result;
     result.warnings = document.warnings;

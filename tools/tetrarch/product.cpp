@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "command.hpp"
 #include "in_file.hpp"
+#include "input.hpp"
 #include "output.hpp"
 #include "product_partition.hpp"
 #include "product_report.hpp"
@@ -10,6 +11,7 @@
 #include "tetrarch/core/error.hpp"
 #include "tetrarch/format/medit.hpp"
 #include "tetrarch/format/mesh_files.hpp"
+#include "tetrarch/format/mesh_json.hpp"
 #include "tetrarch/format/text.hpp"
 #include "tetrarch/mesh/repair.hpp"
 #include "tetrarch/mesh/validate.hpp"
@@ -67,10 +69,11 @@ struct Made {
 void check(const Options& options) {
   for (const std::string& path : options.outputs) {
     require_folder(path);
-    if (!scene::scene_format_for_extension(path) && !format::has_extension(path, ".mesh") &&
-        !format::has_extension(path, ".html"))
-      throw InputError({path, 0}, "nothing that can be written has this extension (expected .vtu, .mesh, "
-                                  ".glb, .ply, .obj or .html)");
+    if (!scene::scene_format_for_extension(path) && !format::has_extension(path, ".json") &&
+        !format::has_extension(path, ".mesh") && !format::has_extension(path, ".html"))
+      throw InputError({path, 0},
+                       "nothing that can be written has this extension (expected .json, .vtu, .mesh, "
+                       ".glb, .ply, .obj or .html)");
     if (format::has_extension(path, ".html") && scene::texture_viewer_page().empty())
       throw InputError({path, 0}, std::string(scene::viewer_missing_reason()));
   }
@@ -83,8 +86,8 @@ void check(const Options& options) {
     throw InputError("--corners needs --floor-map rectangle");
 }
 
-format::Soup read(const Options& options, Report& report) {
-  format::Soup soup = format::read_soup_file(options.input);
+format::Soup read(const Options& options, Report& report, const Context& context) {
+  format::Soup soup = read_soup(options.input, context);
   report.warnings = soup.warnings;
   if (!options.repair) return soup;
   mesh::Repaired repaired = mesh::repair(std::move(soup));
@@ -171,7 +174,7 @@ void add_hexahedra(Made& made, const product::FiberField& field, const product::
 /// Vertex k of the file is the image of vertex k of the solid; those inside are passed over.
 void add_polycube(Made& made, const product::Solid& solid, const product::Partition& partition,
                   const Options& options, const Context& context) {
-  const format::Soup soup = format::read_soup_file(options.polycube);
+  const format::Soup soup = read_soup(options.polycube, context);
   std::vector<Point> image;
   image.reserve(solid.vertex.size());
   for (const int v : solid.vertex) {
@@ -232,7 +235,7 @@ Field solved(const product::Prepared& at, double height, const Options& options,
 
 Made make(const Options& options, const Context& context) {
   Made made;
-  const format::Soup soup = read(options, made.report);
+  const format::Soup soup = read(options, made.report, context);
   mesh::TetMesh mesh = mesh_of(soup);
   PartitionedSolid start = in_file(options.input, [&] {
     return partitioned(product::solid(std::move(mesh)), soup, options.partition, context.progress);
@@ -290,7 +293,7 @@ scene::Scene product_scene(const Made& made, const std::string& title, bool in_d
 
 /// The tetrahedra, those of edges split included, and the boundary with its patches: 1 floor, 2 ceiling, 3
 /// and on walls.
-std::string labelled_mesh(const Made& made) {
+format::Soup labelled_mesh(const Made& made) {
   const product::Solid& solid = made.at.solid;
   format::Soup soup;
   soup.points = solid.mesh.points;
@@ -299,7 +302,23 @@ std::string labelled_mesh(const Made& made) {
     soup.triangles.push_back({solid.corner(t, 0), solid.corner(t, 1), solid.corner(t, 2)});
     soup.triangle_tags.push_back(made.at.partition.patch[t] + 1);
   }
-  return format::write_medit(soup);
+  return soup;
+}
+
+/// The hexahedra, or the tetrahedra with the coordinates of their vertices in the domain.
+format::MeshDocument document(const Made& made, const Options& options) {
+  using On = format::MeshField::On;
+  format::MeshDocument mesh;
+  if (made.hexahedra) {
+    mesh.soup.points = made.hexahedra->mesh.points;
+    mesh.hexahedra = made.hexahedra->mesh.hexahedra;
+    mesh.fields = {field_of("scaled_jacobian", On::hexahedra, made.scaled_jacobian)};
+  } else {
+    mesh.soup = labelled_mesh(made);
+    mesh.fields = {field_of("uvw", On::vertices, made.uvw)};
+  }
+  mesh.provenance = {{"command", "product"}, {"input", options.input}, {"floor_map", options.floor_map}};
+  return mesh;
 }
 
 std::string page(const Made& made, const std::string& title) {
@@ -318,7 +337,8 @@ std::string file(const std::string& path, const Made& made, const Options& optio
   if (format::has_extension(path, ".mesh"))
     return made.hexahedra
                ? format::write_medit_hexahedra(made.hexahedra->mesh.points, made.hexahedra->mesh.hexahedra)
-               : labelled_mesh(made);
+               : format::write_medit(labelled_mesh(made));
+  if (format::has_extension(path, ".json")) return write_mesh_json(document(made, options));
   if (format::has_extension(path, ".html")) return page(made, options.input);
   const SceneFormat format = *scene::scene_format_for_extension(path);
   return scene::write_scene(made.hexahedra ? hexahedra_scene(made, options.input, format)
@@ -337,6 +357,8 @@ Result run_product(const Options& options, const Context& context) {
   result.status = made.status;
   if (!made.uvw.empty())
     for (const std::string& path : options.outputs) result.files.push_back({path, file(path, made, options)});
+  if (!made.uvw.empty() && context.values != nullptr)
+    result.value = std::make_shared<Value>(document(made, options));
   result.text = block(made.report.rows);
   result.json = std::move(made.report.json);
   result.warnings = std::move(made.report.warnings);
@@ -350,32 +372,37 @@ Run declare_product(CLI::App& app) {
   app.add_option("MESH", o->input, "a handlebody of tetrahedra: .mesh, .msh, .node/.ele, .vtk or .vtu")
       ->required();
   app.add_option(
-      "--labels", o->partition.labels,
-      "labels of floor and ceiling among the triangles of the file, such as 1,2; walls have others "
-      "or none");
-  app.add_option(
-      "--floor", o->partition.floor,
-      "a seed for the floor, v17: vertex 17, counted from 0; from there on, triangles are flooded");
-  app.add_option("--ceiling", o->partition.ceiling, "a seed for the ceiling");
+         "--labels", o->partition.labels,
+         "labels of floor and ceiling among the triangles of the file, such as 1,2; walls have others "
+         "or none")
+      ->type_name("F,C");
+  app.add_option("--floor", o->partition.floor,
+                 "a seed for the floor, v17: vertex 17, counted from 0; from there on, triangles are flooded")
+      ->type_name("VERTEX");
+  app.add_option("--ceiling", o->partition.ceiling, "a seed for the ceiling")->type_name("VERTEX");
   app.add_option("--threshold", o->partition.threshold,
                  "of flooding: how far normals may differ from that at the seed, as 1 - cosine")
       ->check(CLI::Range(0.0, 2.0))
       ->capture_default_str();
   app.add_option("--cycle", o->partition.cycles,
                  "a rim between floor or ceiling and wall: vertices along boundary edges, 3,17,20; repeated")
+      ->type_name("LIST")
       ->allow_extra_args(false);
   app.add_option("--tunnel", o->partition.tunnels,
                  "a loop around a wall, likewise; with --extend; repeated, once for each wall")
+      ->type_name("LIST")
       ->allow_extra_args(false);
   app.add_option("--extend", o->partition.extend, "how far tunnel loops are extended to both sides");
   app.add_option("--outer", o->partition.outer,
-                 "a vertex on the wall that is to be the outer one (default: that with the longest rim)");
+                 "a vertex on the wall that is to be the outer one (default: that with the longest rim)")
+      ->type_name("VERTEX");
   app.add_option("--floor-map", o->floor_map,
                  "the unit disk with round holes, or a rectangle with rectangular ones")
       ->check(CLI::IsMember({"circular", "rectangle"}))
       ->capture_default_str();
   app.add_option("--corners", o->corners,
-                 "of the rectangle: four vertices of the outer rim, such as 3,17,20,8");
+                 "of the rectangle: four vertices of the outer rim, such as 3,17,20,8")
+      ->type_name("LIST");
   app.add_option("--height", o->height, "of the domain (default: that which keeps the floor's aspect ratio)")
       ->check(CLI::PositiveNumber);
   app.add_option("--follow", o->follow,
@@ -395,9 +422,10 @@ Run declare_product(CLI::App& app) {
       ->check(CLI::Range(1, 100'000));
   app.add_flag("--smooth", o->smooth, "improve hexahedra, moving points inside");
   app.add_option(
-      "--polycube", o->polycube,
-      "make hexahedra by a polycube: a mesh whose vertex k is the image, on a surface of cubes, of the "
-      "solid's vertex k; those inside do not matter");
+         "--polycube", o->polycube,
+         "make hexahedra by a polycube: a mesh whose vertex k is the image, on a surface of cubes, of the "
+         "solid's vertex k; those inside do not matter")
+      ->type_name("MESH");
   app.add_option("--step", o->step, "of the lattice of the polycube's corners")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
@@ -412,8 +440,9 @@ Run declare_product(CLI::App& app) {
       ->capture_default_str();
   app.add_option(
          "-o,--output", o->outputs,
-         "tetrahedra or hexahedra with their data (.vtu, .mesh), the surface with fibres (.glb, .ply, "
+         "tetrahedra or hexahedra with their data (.json, .vtu, .mesh), the surface with fibres (.glb, .ply, "
          ".obj), or a page with solid and domain (.html); may be repeated")
+      ->type_name("FILE")
       ->allow_extra_args(false);
   app.add_flag("--repair", o->repair, "turn inverted tetrahedra, remove duplicates and unused points first");
   return [o](const Context& context) { return run_product(*o, context); };

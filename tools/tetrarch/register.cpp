@@ -5,6 +5,8 @@
 #include "text.hpp"
 
 #include "tetrarch/core/error.hpp"
+#include "tetrarch/format/mesh_json.hpp"
+#include "tetrarch/format/text.hpp"
 #include "tetrarch/scene/files.hpp"
 #include "tetrarch/slit/registration.hpp"
 #include "tetrarch/slit/unflip.hpp"
@@ -29,13 +31,17 @@ struct Options {
   bool repair = false;
 };
 
+bool is_json(const std::string& path) {
+  return format::has_extension(path, ".json");
+}
+
 struct Input {
   mesh::OpenedMesh surface;
   std::vector<mesh::BoundaryLoop> loops;
 };
 
-Input read(const std::string& path, bool repair, Result& result) {
-  const SurfaceInput input = read_surface(path, repair);
+Input read(const std::string& path, bool repair, Result& result, const Context& context) {
+  const SurfaceInput input = read_surface(path, context, repair);
   result.warnings.insert(result.warnings.end(), input.warnings.begin(), input.warnings.end());
   Input read{opened(input, {}, {}), {}};
   read.loops = mesh::boundary_loops(read.surface.mesh);
@@ -102,13 +108,31 @@ void tell(Result& result, const slit::Registration& r, const std::vector<int>& m
                               " turned over; --unflip moves vertices until none is");
 }
 
+/// The shape, with the places of its vertices in SECOND's disk and on FIRST.
+format::MeshDocument document(const std::vector<std::array<double, 3>>& points,
+                              const mesh::TriangleMesh& first, const slit::Registration& r,
+                              const Options& options) {
+  using enum format::MeshField::On;
+  format::MeshDocument mesh;
+  mesh.soup.points = points;
+  mesh.soup.triangles = first.surface.triangles();
+  std::vector<std::array<double, 2>> places;
+  places.reserve(r.position.size());
+  for (const std::complex<double> z : r.position) places.push_back({z.real(), z.imag()});
+  mesh.fields = {field_of("place", vertices, places), field_of("first", vertices, first.points),
+                 field_of("quasi_conformal", triangles, r.quasi_conformal)};
+  mesh.provenance = {{"command", "register"}, {"first", options.first}, {"second", options.second}};
+  return mesh;
+}
+
 std::string file(const std::string& path, const std::vector<std::array<double, 3>>& points,
-                 const std::vector<std::array<int, 3>>& triangles) {
+                 const mesh::TriangleMesh& first, const slit::Registration& r, const Options& options) {
+  if (is_json(path)) return write_mesh_json(document(points, first, r, options));
   scene::Scene scene;
   scene::Surface& surface = scene.surfaces.emplace_back();
   surface.name = "surface";
   surface.points = points;
-  surface.triangles = triangles;
+  surface.triangles = first.surface.triangles();
   return scene::write_scene(scene, *scene::scene_format_for_extension(path));
 }
 
@@ -116,13 +140,14 @@ Result run_register(const Options& options, const Context& context) {
   for (const std::string& path : {options.resampled, options.average}) {
     if (path.empty()) continue;
     require_folder(path);
-    if (!scene::scene_format_for_extension(path))
-      throw InputError({path, 0},
-                       "nothing that can be written has this extension (expected .obj, .ply, .vtu or .glb)");
+    if (!scene::scene_format_for_extension(path) && !is_json(path))
+      throw InputError(
+          {path, 0},
+          "nothing that can be written has this extension (expected .json, .obj, .ply, .vtu or .glb)");
   }
   Result result;
-  const Input first = read(options.first, options.repair, result);
-  const Input second = read(options.second, options.repair, result);
+  const Input first = read(options.first, options.repair, result, context);
+  const Input second = read(options.second, options.repair, result, context);
   if (first.loops.size() != second.loops.size())
     throw InputError({options.second, 0},
                      "has " + counted(static_cast<long long>(second.loops.size()), "boundary loop") +
@@ -140,11 +165,12 @@ Result run_register(const Options& options, const Context& context) {
       circles(b, how.matching[outer], how.matching[inner], options.unflip, result);
   const slit::Registration r = slit::registered(a, map_a, b.mesh(), map_b, how);
   tell(result, r, how.matching);
-  const auto& triangles = a.mesh().surface.triangles();
+  if (context.values != nullptr)
+    result.value = std::make_shared<Value>(document(r.resampled, a.mesh(), r, options));
   if (!options.resampled.empty())
-    result.files.push_back({options.resampled, file(options.resampled, r.resampled, triangles)});
+    result.files.push_back({options.resampled, file(options.resampled, r.resampled, a.mesh(), r, options)});
   if (!options.average.empty())
-    result.files.push_back({options.average, file(options.average, r.average, triangles)});
+    result.files.push_back({options.average, file(options.average, r.average, a.mesh(), r, options)});
   return result;
 }
 
@@ -155,19 +181,24 @@ Run declare_register(CLI::App& app) {
   app.add_option("FIRST", o->first, "a sphere with two holes or more: OBJ, OFF, PLY or STL")->required();
   app.add_option("SECOND", o->second, "another one with as many holes")->required();
   app.add_option(
-      "--match", o->match,
-      "for each boundary loop of FIRST the one of SECOND, such as 0,2,1 or v3,v17,v20 (default: those "
-      "of the same number)");
+         "--match", o->match,
+         "for each boundary loop of FIRST the one of SECOND, such as 0,2,1 or v3,v17,v20 (default: those "
+         "of the same number)")
+      ->type_name("LIST");
   app.add_option("--outer", o->outer,
                  "the loop of FIRST that becomes the outer circle of the disk, as for slit")
+      ->type_name("LOOP")
       ->capture_default_str();
-  app.add_option("--inner", o->inner, "and the one about its centre")->capture_default_str();
+  app.add_option("--inner", o->inner, "and the one about its centre")
+      ->type_name("LOOP")
+      ->capture_default_str();
   app.add_flag("--unflip", o->unflip, "move vertices in the disks until no triangle is flipped");
   app.add_flag("--as-placed", o->as_placed,
                "compare and average where the surfaces are, without moving SECOND to FIRST");
   app.add_option("-o,--output", o->resampled,
-                 "SECOND's shape with FIRST's vertices and triangles (.obj, .ply, .vtu or .glb)");
-  app.add_option("--average", o->average, "the shape half-way between both, likewise");
+                 "SECOND's shape with FIRST's vertices and triangles (.json, .obj, .ply, .vtu or .glb)")
+      ->type_name("FILE");
+  app.add_option("--average", o->average, "the shape half-way between both, likewise")->type_name("FILE");
   app.add_flag("--repair", o->repair,
                "mend orientation, unused vertices, duplicates, degenerate triangles first");
   return [o](const Context& context) { return run_register(*o, context); };

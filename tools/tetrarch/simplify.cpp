@@ -29,8 +29,10 @@ struct Options {
 };
 
 void declare_shared(CLI::App& app, Options& options) {
-  app.add_option("-o,--output", options.output, "the file to write (its extension names the format)");
-  app.add_option("--moves", options.log, "write the log of all moves, one a line, to a file");
+  app.add_option("-o,--output", options.output, "the file to write (its extension names the format)")
+      ->type_name("FILE");
+  app.add_option("--moves", options.log, "write the log of all moves, one a line, to a file")
+      ->type_name("FILE");
   app.add_flag("--repair", options.repair,
                "mend in a mesh what can be mended: orientation, unused vertices, duplicates");
   app.add_flag("--audit", options.audit,
@@ -74,7 +76,7 @@ std::function<void(const moves::Complex&)> auditor(const Triangulation& input) {
 Job prepare(const Options& options, const Context& context) {
   if (!options.output.empty()) output_format(options.output);
   require_folder(options.log);
-  Job run{read_triangulation(options.input, {options.repair, context.progress}), {}, {}};
+  Job run{read_triangulation(options.input, context, options.repair), {}, {}};
   require_manifold(run.input.triangulation, options.input);
   run.simplify.seed = context.seed;
   if (options.audit) run.simplify.audit = auditor(run.input.triangulation);
@@ -89,8 +91,9 @@ Result deliver(const Options& options, const Job& run, Triangulation tri, Info i
   info.json["seconds"] = run.seconds;
   result.json = std::move(info.json);
   result.text = block(info.rows);
-  if (!options.output.empty())
-    add_file(result, options.output, format::document_of(std::move(tri), run.input.name));
+  format::Document document = format::document_of(std::move(tri), run.input.name);
+  if (!options.output.empty()) add_file(result, options.output, document);
+  result.value = std::make_shared<Value>(std::move(document));
   if (!options.log.empty()) {
     std::string lines;
     for (const moves::Move& move : run.log) lines += move.str() + "\n";

@@ -7,6 +7,7 @@
 #include "text.hpp"
 
 #include "tetrarch/core/error.hpp"
+#include "tetrarch/format/mesh_json.hpp"
 #include "tetrarch/format/text.hpp"
 #include "tetrarch/scene/files.hpp"
 #include "tetrarch/scene/page.hpp"
@@ -47,6 +48,10 @@ struct Options {
   bool is_ricci() const { return method == "ricci"; }
 };
 
+bool is_json(const std::string& path) {
+  return format::has_extension(path, ".json");
+}
+
 /// Of one of the names that are allowed.
 SlitDomain domain_named(const std::string& name) {
   if (name == "cylindric") return SlitDomain::cylindric;
@@ -57,11 +62,12 @@ void check(const Options& options) {
   for (const std::string& path : options.outputs) {
     require_folder(path);
     const auto format = scene::scene_format_for_extension(path);
+    if (options.quads == 0 && is_json(path)) continue;
     if (options.quads > 0 && (!format || format == scene::SceneFormat::vtu))
       throw InputError({path, 0}, "quads are written as .obj, .glb or .ply");
     if (!format && !format::has_extension(path, ".svg") && !format::has_extension(path, ".html"))
-      throw InputError({path, 0}, "nothing that can be written has this extension (expected .obj, .vtu, "
-                                  ".svg, .glb, .ply or .html)");
+      throw InputError({path, 0}, "nothing that can be written has this extension (expected .json, .obj, "
+                                  ".vtu, .svg, .glb, .ply or .html)");
     if (format::has_extension(path, ".html") && scene::texture_viewer_page().empty())
       throw InputError({path, 0}, std::string(scene::viewer_missing_reason()));
   }
@@ -225,9 +231,9 @@ slit::Fingerprint fingerprint(const mesh::OpenedMesh& surface, Chosen loops, con
 }
 
 Result run_fingerprint(const mesh::OpenedMesh& surface, const std::vector<mesh::BoundaryLoop>& loops,
-                       const Options& options, Report report, const Progress& progress) {
+                       const Options& options, Report report, const Context& context) {
   const Chosen circles = chosen(surface, loops, options);
-  const slit::Fingerprint own = fingerprint(surface, circles, options.input, progress);
+  const slit::Fingerprint own = fingerprint(surface, circles, options.input, context.progress);
   std::vector<int> slits;
   for (int k = 0; k < static_cast<int>(loops.size()); ++k)
     if (k != circles.outer && k != circles.inner) slits.push_back(k);
@@ -235,12 +241,12 @@ Result run_fingerprint(const mesh::OpenedMesh& surface, const std::vector<mesh::
   report.add(fingerprint_report(own, slits));
   Result result;
   if (!options.distance.empty()) {
-    const SurfaceInput input = read_surface(options.distance, options.repair);
-    const mesh::OpenedMesh other = opened(input, {}, progress);
+    const SurfaceInput input = read_surface(options.distance, context, options.repair);
+    const mesh::OpenedMesh other = opened(input, {}, context.progress);
     const auto other_loops = mesh::boundary_loops(other.mesh);
     check_type(other.mesh.surface, options);
     const double distance = slit::distance(
-        own, fingerprint(other, chosen(other, other_loops, options), options.distance, progress));
+        own, fingerprint(other, chosen(other, other_loops, options), options.distance, context.progress));
     report.json["distance"] = distance;
     report.rows.emplace_back("distance", fixed(distance, 6));
     report.warnings.insert(report.warnings.end(), input.warnings.begin(), input.warnings.end());
@@ -266,7 +272,33 @@ std::string page(const Made& made, const Options& options) {
                                               scene::slit_domain(made.mesh, made.layout)});
 }
 
+/// The surface with its map: of each corner the place in the domain and the texture coordinates, as vertices
+/// on a seam have two; and what is known at vertices and triangles.
+format::MeshDocument document(const Made& made, const Options& options) {
+  using enum format::MeshField::On;
+  format::MeshDocument mesh;
+  mesh.soup.points = made.mesh.points;
+  std::vector<std::array<double, 2>> places;
+  std::vector<std::array<double, 2>> textures;
+  for (int t = 0; t < made.mesh.surface.triangle_count(); ++t) {
+    mesh.soup.triangles.push_back(made.mesh.surface.corners(t));
+    for (const int place : made.layout.corners[t]) {
+      places.push_back(made.layout.places[place]);
+      textures.push_back(made.layout.textures[place]);
+    }
+  }
+  mesh.fields = {field_of("place", triangle_corners, places),
+                 field_of("texture", triangle_corners, textures)};
+  for (const scene::Field& f : made.fields.vertices)
+    mesh.fields.push_back(field_of(f.name, vertices, f.values));
+  for (const scene::Field& f : made.fields.triangles)
+    mesh.fields.push_back(field_of(f.name, triangles, f.values));
+  mesh.provenance = {{"command", "slit"}, {"input", options.input}, {"domain", made.layout.name}};
+  return mesh;
+}
+
 std::string file(const std::string& path, const Made& made, const Options& options) {
+  if (is_json(path)) return write_mesh_json(document(made, options));
   if (format::has_extension(path, ".svg"))
     return scene::write_svg(scene::slit_drawing(made.mesh, made.layout));
   if (format::has_extension(path, ".html")) return page(made, options);
@@ -281,7 +313,7 @@ std::string file(const std::string& path, const Made& made, const Options& optio
 
 Result run_slit(const Options& options, const Context& context) {
   check(options);
-  const SurfaceInput input = read_surface(options.input, options.repair);
+  const SurfaceInput input = read_surface(options.input, context, options.repair);
   const mesh::OpenedMesh surface =
       in_file(options.input, [&] { return opened(input, options.openings, context.progress); });
   const std::vector<mesh::BoundaryLoop> loops = mesh::boundary_loops(surface.mesh);
@@ -297,7 +329,7 @@ Result run_slit(const Options& options, const Context& context) {
   // What the map would refuse, said before a loop is missed.
   check_type(surface.mesh.surface, options);
   if (options.fingerprint || !options.distance.empty())
-    return run_fingerprint(surface, loops, options, std::move(report), context.progress);
+    return run_fingerprint(surface, loops, options, std::move(report), context);
   const auto start = std::chrono::steady_clock::now();
   const Made made = make(surface, loops, options, context.progress);
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -312,6 +344,7 @@ Result run_slit(const Options& options, const Context& context) {
   result.warnings = std::move(report.warnings);
   if (!made.found) result.status = Status::undecided;
   for (const std::string& path : options.outputs) result.files.push_back({path, file(path, made, options)});
+  if (context.values != nullptr) result.value = std::make_shared<Value>(document(made, options));
   return result;
 }
 
@@ -327,20 +360,25 @@ Run declare_slit(CLI::App& app) {
   app.add_option("--outer", o->outer,
                  "the loop that becomes the outer circle: its number, from 0 by decreasing length, or v17: "
                  "the loop through vertex 17, counted from 0")
+      ->type_name("LOOP")
       ->capture_default_str();
   app.add_option("--inner", o->inner, "the loop that becomes the inner circle, likewise")
+      ->type_name("LOOP")
       ->capture_default_str();
   app.add_option("--method", o->method,
                  "of the circular domain: by harmonic functions and opened slits, or by discrete Ricci flow")
       ->check(CLI::IsMember({"harmonic", "ricci"}))
       ->capture_default_str();
   app.add_option("--center", o->center,
-                 "of a surface with one loop, the vertex that goes to 0 (default: innermost)");
+                 "of a surface with one loop, the vertex that goes to 0 (default: innermost)")
+      ->type_name("VERTEX");
   app.add_option("--punch", o->openings.punch,
                  "first punch a hole, v17:0.5 around vertex 17 with radius 0.5; may be repeated")
+      ->type_name("HOLE")
       ->allow_extra_args(false);
   app.add_option("--slice", o->openings.slice,
                  "first slice along shortest paths through vertices, such as 3,17,20; may be repeated")
+      ->type_name("LIST")
       ->allow_extra_args(false);
   app.add_flag("--open-handles", o->openings.open_handles,
                "first cut a surface of genus g along g short loops");
@@ -348,7 +386,8 @@ Run declare_slit(CLI::App& app) {
   app.add_flag(
       "--fingerprint", o->fingerprint,
       "numbers that conformal maps leave alone, extrapolated from finer triangulations, with their errors");
-  app.add_option("--distance", o->distance, "and how far another surface is from this one by them");
+  app.add_option("--distance", o->distance, "and how far another surface is from this one by them")
+      ->type_name("SURFACE");
   app.add_flag("--unflip", o->unflip, "move vertices near flipped triangles until none is flipped");
   app.add_flag("--intrinsic", o->intrinsic,
                "solve on the intrinsic Delaunay triangulation: better where triangles are obtuse");
@@ -360,9 +399,11 @@ Run declare_slit(CLI::App& app) {
       ->check(CLI::NonNegativeNumber);
   app.add_option("--quads", o->quads, "make quads, so many on the way round; written as .obj, .glb or .ply")
       ->check(CLI::Range(3, 1'000'000));
-  app.add_option("-o,--output", o->outputs,
-                 "the surface with the domain as texture coordinates (.obj, .vtu), the domain (.svg, or .glb "
-                 "or .ply as a surface), or a page with both side by side (.html); may be repeated")
+  app.add_option(
+         "-o,--output", o->outputs,
+         "the surface with the domain as texture coordinates (.json, .obj, .vtu), the domain (.svg, or .glb "
+         "or .ply as a surface), or a page with both side by side (.html); may be repeated")
+      ->type_name("FILE")
       ->allow_extra_args(false);
   app.add_flag("--repair", o->repair,
                "mend orientation, unused vertices, duplicates, degenerate triangles first");

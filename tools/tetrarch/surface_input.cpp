@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "surface_input.hpp"
 
+#include "input.hpp"
+
 #include "tetrarch/bundle/twist.hpp"
 #include "tetrarch/core/error.hpp"
 #include "tetrarch/format/mesh_files.hpp"
@@ -60,9 +62,9 @@ std::string without_comments(std::string text) {
 
 } // namespace
 
-SurfaceInput read_surface(const std::string& path, bool repair) {
+SurfaceInput read_surface(const std::string& argument, const Context& context, bool repair) {
   SurfaceInput input;
-  format::Soup soup = format::read_soup_file(path);
+  format::Soup soup = read_soup(argument, context);
   if (soup.triangles.empty())
     throw InputError({soup.source, 0}, "there are no triangles (expected a surface)");
   soup.tetrahedra.clear();

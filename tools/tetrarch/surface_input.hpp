@@ -4,6 +4,8 @@
 /// What may stand where a surface is expected (OBJ, OFF, PLY, STL, or the triangles of another mesh format),
 /// and values for its boundary edges.
 
+#include "command.hpp"
+
 #include "tetrarch/bundle/cutting_pattern.hpp"
 #include "tetrarch/mesh/triangle_mesh.hpp"
 
@@ -19,7 +21,7 @@ struct SurfaceInput {
 };
 
 /// Throws InputError that names what is wrong and where; `repair` mends what can be mended first.
-SurfaceInput read_surface(const std::string& path, bool repair);
+SurfaceInput read_surface(const std::string& argument, const Context& context, bool repair);
 
 /// One value for each of `bundle::boundary_sides`, from a text of lines "u v value": the boundary edge on
 /// vertices u and v, by the numbers of the surface's file, has value +1 or -1 in the direction from u to v.

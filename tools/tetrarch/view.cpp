@@ -110,7 +110,7 @@ Result run_view(const Options& options, const Context& context) {
 Run declare_view(CLI::App& app) {
   const auto o = std::make_shared<Options>();
   app.add_option("X", o->input, "a triangulation that carries a structure")->required();
-  app.add_option("-o,--output", o->output, "the page to write")->required();
+  app.add_option("-o,--output", o->output, "the page to write")->type_name("FILE")->required();
   app.add_option("--copies", o->copies, "so many copies of the domain to choose from")->capture_default_str();
   app.add_option("--cusp-area", o->cusp_area, "where cusps are cut off")->capture_default_str();
   return [o](const Context& context) { return run_view(*o, context); };

@@ -1,0 +1,361 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Options that no other test of the program uses, each with what it changes. Part of program_test.py."""
+import json
+import os
+import re
+import unittest
+
+from running import SOURCE, InFolder, run, run_json
+
+DATA = os.path.join(SOURCE, "tests/data")
+RING = os.path.join(DATA, "mesh/ring_two_holes.off")
+TORUS = os.path.join(DATA, "mesh/torus.off")
+KNOTTED_Y = os.path.join(DATA, "knotted_y_8k.mesh")
+PLATE = os.path.join(DATA, "genus4_ridges.mesh")
+
+
+class Options(InFolder):
+    def read(self, name):
+        with open(self.path(name), encoding="utf-8") as file:
+            return file.read()
+
+    def good(self, *arguments):
+        status, found = run_json(*arguments)
+        self.assertEqual(status, 0, arguments)
+        return found
+
+    def off_lines(self, surface):
+        """The lines of an OFF file without its comments, and where its points and its triangles begin."""
+        with open(surface, encoding="utf-8") as file:
+            lines = [line for line in file.read().split("\n") if not line.startswith("#")]
+        return lines, 2, 2 + int(lines[1].split()[0])
+
+    def with_points_moved(self, surface, name, move):
+        lines, start, end = self.off_lines(surface)
+        moved = [" ".join(map(repr, move(*map(float, line.split())))) for line in lines[start:end]]
+        return self.path(name, "\n".join(lines[:start] + moved + lines[end:]))
+
+    def with_a_triangle_turned(self, surface, name):
+        """A copy of an OFF file whose first triangle has the other orientation."""
+        lines, _, first = self.off_lines(surface)
+        count, a, b, c = lines[first].split()[:4]
+        lines[first] = f"{count} {b} {a} {c}"
+        return self.path(name, "\n".join(lines))
+
+
+class CommonOptions(Options):
+    def test_quiet_keeps_warnings_back(self):
+        path = self.path("y.tri")  # SnapPea's format cannot hold a boundary of genus 2
+        self.assertIn("warning", run("convert", "cPcbbbihq", "-o", path).stderr)
+        self.assertEqual(run("convert", "cPcbbbihq", "-o", path, "--quiet").stderr, "")
+
+    def test_a_seed_means_the_same_field_of_directions(self):
+        fields = [self.good("bundle", TORUS, "--seed", str(seed))["field"] for seed in (1, 1, 2, 3)]
+        self.assertEqual(fields[0], fields[1])
+        self.assertTrue(fields[0] != fields[2] or fields[0] != fields[3])
+
+
+class Triangulations(Options):
+    def test_a_presentation_as_it_is_read_off(self):
+        # One generator for each face outside a spanning tree, one relator for each edge: 4 - 1 and 1.
+        given = self.good("group", "cPcbbbihq", "--as-given")
+        self.assertEqual((len(given["generators"]), len(given["relators"])), (3, 1))
+        kept = self.good("group", "< a, b | aab, b >", "--as-given")
+        self.assertEqual((kept["relators"], kept["abelianized"]), (["aab", "b"], "Z/2"))
+        self.assertEqual(self.good("group", "< a, b | aab, b >")["presentation"], "< a | aa >")
+
+    def test_a_presentation_saved_is_the_same_when_read(self):
+        first, second = self.path("first.json"), self.path("second.json")
+        made = self.good("group", "fmp3_77", "--as-given", "-o", first)
+        self.assertEqual(self.good("group", first, "--as-given", "--output", second), made)
+        self.assertEqual(self.read("first.json"), self.read("second.json"))
+        self.assertEqual(len(json.loads(self.read("first.json"))["relators"]), len(made["relators"]))
+        self.assertEqual(self.good("group", first)["abelianized"], self.good("info", "fmp3_77")["homology"])
+
+    def test_a_format_for_standard_output(self):
+        self.assertEqual(run("convert", "cPcbbbihq", "--to", "sig").stdout, "cPcbbbihq\n")
+        self.assertTrue(run("convert", "cPcbbbiht", "--to", "tri").stdout.startswith("% Triangulation"))
+        refused = run("convert", "cPcbbbiht", "--to", "obj").stderr
+        for choice in ("json", "tri", "sig", "fmp"):
+            self.assertIn(choice, refused)
+
+    def test_moves_written_down_and_made_again(self):
+        small, log, again = self.path("small.json"), self.path("moves.txt"), self.path("again.json")
+        self.good("simplify", "gvLQQedfedffrwawrhh", "--moves", log, "--output", small, "--audit")
+        self.good("move", "gvLQQedfedffrwawrhh", "--log", log, "--output", again)
+        self.assertEqual(self.read("small.json"), self.read("again.json"))
+
+    def test_listed_moves(self):
+        listed = self.good("move", "cPcbbbihq", "--list", "1-4")["moves"]
+        self.assertEqual(listed, ["one_four 0", "one_four 1"])
+
+    def test_spheres_kept(self):
+        # A ball: its boundary sphere is filled in, or becomes the link of a finite vertex; S^3 against a ball.
+        ball = os.path.join(DATA, "mesh/meshio_medit.mesh")
+        filled = self.good("truncate", ball)
+        kept = self.good("truncate", ball, "--keep-spheres")
+        self.assertIsNone(filled["boundary_map"][0]["vertex"])
+        self.assertIsNotNone(kept["boundary_map"][0]["vertex"])
+
+    def test_an_inverted_tetrahedron_mended(self):
+        with open(KNOTTED_Y, encoding="utf-8") as file:
+            lines = file.read().split("\n")
+        first = lines.index("Tetrahedra") + 2
+        a, b, *others = lines[first].split()
+        lines[first] = " ".join([b, a, *others])
+        bad = self.path("bad.mesh", "\n".join(lines))
+        mended = self.good("truncate", bad, "--repair")
+        self.assertEqual(mended["signature"], self.good("truncate", KNOTTED_Y)["signature"])
+
+    def test_findings_listed(self):
+        bad = self.path("bad.off", "OFF\n3 3 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 7\n3 0 1 8\n3 0 1 9\n")
+        for listed in (0, 1, 3):
+            found = run_json("check", bad, "--listed", str(listed))[1]
+            self.assertEqual(found["counts"], run_json("check", bad)[1]["counts"])
+            self.assertEqual(sum("names vertex" in json.dumps(f) for f in found["findings"]), listed)
+
+
+class Structures(Options):
+    # The knotted Y after a 1-4 move has a finite vertex, and carries no structure as it is.
+    def setUp(self):
+        super().setUp()
+        self.moved = self.path("moved.json")
+        self.good("move", "cPcbbbihq", "1-4", "0", "-o", self.moved)
+
+    def test_as_given_and_elsewhere(self):
+        status, found = run_json("hyperbolize", self.moved, "--as-given")
+        self.assertEqual((status, found["outcome"]), (4, "not found"))
+        self.assertAlmostEqual(self.good("hyperbolize", self.moved)["volume"], 6.451990270835, delta=1e-11)
+
+    def test_attempts_are_counted(self):
+        found = run_json("hyperbolize", "dLQacccjcog", "--attempts", "7")[1]
+        self.assertEqual((found["attempts"], found["outcome"]), (7, "not found"))
+
+    def test_the_canonical_triangulation_written(self):
+        path = self.path("canonical.json")
+        made = self.good("canonize", self.moved, "--output", path)
+        self.assertEqual(self.good("info", path)["signature"], made["isometry_signature"])
+
+    def size(self, *options):
+        path = self.path("cover.ply")
+        self.assertEqual(run("embed", "cPcbbbihq", "-o", path, *options).returncode, 0)
+        return os.path.getsize(path)
+
+    def test_pictures(self):
+        usual = self.size("--copies", "5")
+        self.assertGreater(self.size("--copies", "5", "--chord-error", "0.0005"), usual)
+        self.assertLess(self.size("--copies", "5", "--tube-radius", "0"), usual)
+        self.assertLess(self.size("--copies", "5", "--outside"), usual)
+        colours = []
+        for colour in ("face", "word-length"):
+            self.size("--copies", "5", "--color", colour)
+            with open(self.path("cover.ply"), "rb") as file:
+                colours.append(file.read())
+        self.assertNotEqual(*colours)
+
+    def test_copies_by_word_length(self):
+        # One step across each of the 6 gluable faces, and the domain itself.
+        self.assertEqual(self.good("embed", "cPcbbbihq", "--word-length", "1")["copies"]["count"], 7)
+
+    def test_cusps_are_cut_off_where_one_says(self):
+        # Area 2 and area 0.5: corners at the horosphere are at distances of ratio 2 from each other.
+        pictures = []
+        for area in ("0.5", "2"):
+            path = self.path("cusp.obj")
+            self.assertEqual(run("embed", "cPcbbbiht", "--cusp-area", area, "-o", path).returncode, 0)
+            pictures.append(self.read("cusp.obj"))
+            page = self.path(f"cusp{area}.html")
+            self.assertEqual(run("view", "cPcbbbiht", "--cusp-area", area, "-o", page).returncode, 0)
+            pictures.append(self.read(f"cusp{area}.html"))
+        self.assertNotEqual(pictures[0], pictures[2])
+        self.assertNotEqual(pictures[1], pictures[3])
+
+    def test_memory(self):
+        self.assertEqual(run("embed", "cPcbbbihq", "--copies", "1000", "--memory", "0.0001").returncode, 2)
+        self.assertEqual(run("embed", "cPcbbbihq", "--copies", "1000", "--memory", "1").returncode, 0)
+        self.assertEqual(run("bundle", TORUS, "--fiber", "500", "--memory", "0.001").returncode, 2)
+        self.assertEqual(run("bundle", TORUS, "--fiber", "50", "--memory", "1").returncode, 0)
+
+
+class Surfaces(Options):
+    def test_repair(self):
+        torus = self.with_a_triangle_turned(TORUS, "torus.off")
+        self.assertEqual(run("bundle", torus).returncode, 2)
+        self.assertEqual(self.good("bundle", torus, "--repair")["euler_number"], 0)
+        ring = self.with_a_triangle_turned(RING, "ring.off")
+        self.assertEqual(run("slit", ring).returncode, 2)
+        # Up to orientation: the repaired copy may be turned over as a whole.
+        self.assertAlmostEqual(self.good("slit", ring, "--repair")["modulus"], self.good("slit", RING)["modulus"],
+                               delta=1e-12)
+        self.assertEqual(run("register", RING, ring).returncode, 2)
+        self.assertIn("max_distance", self.good("register", RING, ring, "--repair"))
+
+    def test_a_disk_has_the_centre_that_is_wanted(self):
+        square = self.path("square.off", "OFF\n5 4 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n.4 .5 0\n"
+                                         "3 0 1 4\n3 1 2 4\n3 2 3 4\n3 3 0 4\n")
+        out = self.path("disk.ply")
+        self.assertEqual(run("slit", square, "--domain", "circular", "--center", "v4", "-o", out).returncode, 0)
+
+    def test_intrinsic_triangulations_come_nearer(self):
+        obtuse = self.with_points_moved(RING, "obtuse.off", lambda x, y, z: (6 * x, y, z))
+        plain, intrinsic = (self.good("slit", obtuse, *options)["modulus"] for options in ((), ("--intrinsic",)))
+        # Both are lower bounds of the same modulus, and Delaunay's is the better one (Rippa 1990: it has the least energy).
+        self.assertLess(plain + 1e-6, intrinsic)
+
+    def test_registration_with_loops_matched_otherwise(self):
+        plain = self.good("register", RING, RING)
+        self.assertEqual(plain["matching"], [0, 1, 2])
+        self.assertLess(plain["max_distance"], 1e-9)
+        other = self.good("register", RING, RING, "--match", "0,2,1")
+        self.assertEqual(other["matching"], [0, 2, 1])
+        self.assertGreater(other["max_distance"], 0.01)
+        turned = self.good("register", RING, RING, "--outer", "1", "--inner", "2", "--unflip")
+        self.assertEqual(turned["flipped"], 0)
+        self.assertLess(turned["max_distance"], 1e-9)
+
+    def test_surfaces_compared_where_they_are(self):
+        other = self.with_points_moved(RING, "moved.off", lambda x, y, z: (x + 5, y + 5, z + 5))
+        self.assertLess(self.good("register", RING, other)["max_distance"], 1e-9)
+        away = self.good("register", RING, other, "--as-placed")["max_distance"]
+        self.assertAlmostEqual(away, 5 * 3**0.5, delta=1e-6)
+
+
+class Gluings(Options):
+    def count(self, *options):
+        return self.good("census", "gluings", "--tetrahedra", "2", *options)["count"]
+
+    def test_orientable_and_not_make_all(self):
+        self.assertEqual(self.count(), self.count("--orientable") + self.count("--nonorientable"))
+
+    def test_more_is_allowed_or_less(self):
+        self.assertGreater(self.count("--allow-invalid"), self.count())
+        # Frigerio, Martelli, Petronio: eight manifolds of two tetrahedra, genus 2, one gluing each.
+        self.assertEqual(self.count("--orientable", "--links", "2"), 8)
+        self.assertGreater(self.count("--min-valence", "2"), self.count("--min-valence", "3"))
+
+    def test_a_list_in_a_file(self):
+        path = self.path("gluings.txt")
+        self.assertEqual(run("census", "gluings", "--tetrahedra", "2", "--ideal", "-o", path).returncode, 0)
+        self.assertEqual(self.read("gluings.txt"), run("census", "gluings", "--tetrahedra", "2", "--ideal").stdout)
+
+
+class Products(Options):
+    def box(self):
+        """The unit cube in six tetrahedra along a diagonal, three by three by three of them, MEDIT."""
+        n = 3
+        number = lambda x, y, z: 1 + x + (n + 1) * (y + (n + 1) * z)
+        points = [f"{x} {y} {z} 0" for z in range(n + 1) for y in range(n + 1) for x in range(n + 1)]
+        tets = []
+        for x, y, z in ((x, y, z) for x in range(n) for y in range(n) for z in range(n)):
+            for order in ((0, 1, 2), (1, 2, 0), (2, 0, 1), (0, 2, 1), (2, 1, 0), (1, 0, 2)):
+                corner, path = [x, y, z], [number(x, y, z)]
+                for axis in order:
+                    corner[axis] += 1
+                    path.append(number(*corner))
+                if order in ((0, 2, 1), (2, 1, 0), (1, 0, 2)):
+                    path[0], path[1] = path[1], path[0]
+                tets.append(" ".join(map(str, path)) + " 0")
+        text = ["MeshVersionFormatted 2", "Dimension 3", "Vertices", str(len(points)), *points, "Tetrahedra",
+                str(len(tets)), *tets, "End"]
+        return self.path("box.mesh", "\n".join(text) + "\n")
+
+    # Vertex numbers from 0: floor z = 0 has 5, the middle of the ceiling z = 3 is 53.
+    SEEDS = ("--floor", "v5", "--ceiling", "v53")
+    RIMS = ("--cycle", "0,1,2,3,7,11,15,14,13,12,8,4", "--cycle", "48,49,50,51,55,59,63,62,61,60,56,52")
+
+    def test_three_ways_to_the_same_partition(self):
+        box = self.box()
+        by_seeds = self.good("product", box, *self.SEEDS, "--threshold", "0.5")
+        by_rims = self.good("product", box, *self.RIMS)
+        for found in (by_seeds, by_rims):
+            self.assertEqual((found["flipped"], found["partition"]["floor"], found["partition"]["walls"]), (0, 18, [72]))
+        # A loop around at height 1, extended by more than 1 to both sides: floor and ceiling are what is beyond.
+        tunnel = ("--tunnel", "16,17,18,19,23,27,31,30,29,28,24,20")
+        beyond = self.good("product", box, *tunnel, "--extend", "1.1", "--anyway")["partition"]
+        self.assertEqual(beyond["floor"] + beyond["ceiling"] + sum(beyond["walls"]), 108)  # 6 sides, 9 squares each
+        self.assertEqual(run("product", box, *tunnel, "--extend", "0.5").returncode, 2)
+
+    def test_the_domain_is_as_wanted(self):
+        box = self.box()
+        square = self.good("product", box, *self.SEEDS, "--floor-map", "rectangle", "--corners", "0,3,15,12", "--height",
+                           "0.25", "--outer", "v20")
+        self.assertAlmostEqual(square["height"], 0.25)
+        self.assertAlmostEqual(square["rectangle"]["height"], 1, delta=1e-9)  # a square, by symmetry
+        self.assertEqual(square["flipped"], 0)
+
+    def test_what_fibres_follow_and_weights(self):
+        box = self.box()
+        for options in (("--follow", "gradient"), ("--weights", "clamped"), ("--weights", "cotangent"), ("--anyway",)):
+            found = self.good("product", box, *self.SEEDS, *options)
+            self.assertEqual((found["flipped"], found["stuck_fibers"]), (0, 0))  # a straight product, by all of them
+
+    def test_layers_of_hexahedra(self):
+        found = self.good("product", PLATE, "--labels", "1,2", "--hex", "20", "--layers", "2")
+        twice = self.good("product", PLATE, "--labels", "1,2", "--hex", "20", "--layers", "4")
+        self.assertEqual(2 * found["hexahedra"], twice["hexahedra"])
+
+    def test_pictures(self):
+        box = self.box()
+        for name, more, options in (("solid.ply", None, ()), ("domain.ply", "solid.ply", ("--show", "domain")),
+                                    ("bare.ply", "solid.ply", ("--fibers", "0"))):
+            self.assertEqual(run("product", box, *self.SEEDS, "-o", self.path(name), *options).returncode, 0)
+            if more:
+                with open(self.path(name), "rb") as one, open(self.path(more), "rb") as other:
+                    self.assertNotEqual(one.read(), other.read())
+        self.assertLess(os.path.getsize(self.path("bare.ply")), os.path.getsize(self.path("solid.ply")))
+
+    def test_repair(self):
+        with open(self.box(), encoding="utf-8") as file:
+            lines = file.read().split("\n")
+        first = lines.index("Tetrahedra") + 2
+        a, b, *others = lines[first].split()
+        lines[first] = " ".join([b, a, *others])
+        bad = self.path("bad.mesh", "\n".join(lines))
+        self.assertEqual(run("product", bad, *self.SEEDS).returncode, 2)
+        self.assertEqual(self.good("product", bad, *self.SEEDS, "--repair")["flipped"], 0)
+
+    def test_the_lattice_of_a_polycube(self):
+        # The box is its own polycube: three cubes each way at step 1, and two cells along each give 6^3 in all.
+        box = self.box()
+        found = self.good("product", box, *self.SEEDS, "--polycube", box, "--step", "3", "--cells", "6")
+        self.assertEqual(found["hexahedra"], 216)
+        self.assertEqual(self.good("product", box, *self.SEEDS, "--polycube", box, "--step", "1", "--cells", "2")["hexahedra"],
+                         216)
+
+
+class HelpTexts(unittest.TestCase):
+    def setUp(self):
+        self.table = run_json("help")[1]
+
+    def helps(self):
+        for command in self.table["commands"]:
+            yield command["name"], command["summary"]
+            for thing in command["arguments"] + command["options"]:
+                yield f"{command['name']} {thing.get('name') or thing['names'][-1]}", thing["help"]
+        for option in self.table["common"]:
+            yield option["names"][-1], option["help"]
+
+    def test_one_form(self):
+        for where, text in self.helps():
+            self.assertTrue(text and text == text.strip() and "  " not in text, where)
+            self.assertFalse(text.endswith("."), f"{where}: a full stop at the end")
+            first = re.match(r"[\w']+", text).group()
+            self.assertTrue(first[0].islower() or first.isupper() or first[0].isdigit() or first in ("SECOND's",),
+                            f"{where} begins with a capital: {text}")
+
+    def test_values_have_names_that_say_what_they_are(self):
+        kinds = {o["value"] for c in self.table["commands"] for o in c["options"] if not o["choices"]}
+        self.assertEqual(kinds - {None}, {"FILE", "SURFACE", "MESH", "LIST", "HOLE", "VERTEX", "LOOP", "F,C", "INT", "FLOAT"})
+        for command in self.table["commands"]:
+            for option in command["options"]:
+                if "--output" in option["names"]:
+                    self.assertEqual(option["value"], "FILE", command["name"])
+
+    def test_the_same_words_for_the_same_option(self):
+        for option in ("--memory", "--cusp-area"):
+            texts = {o["help"] for c in self.table["commands"] for o in c["options"] if option in o["names"]}
+            self.assertEqual(len(texts), 1, texts)
+
+    def test_every_command_has_an_example(self):
+        for command in self.table["commands"]:
+            self.assertTrue(command["example"].startswith(f"tetrarch {command['name']}"), command)

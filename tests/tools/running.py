@@ -1,0 +1,56 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Running the program in tests, and what was typed in all of them."""
+import json
+import os
+import subprocess
+import sys
+import tempfile
+import unittest
+
+PROGRAM = os.path.abspath(sys.argv[1])
+SOURCE = os.path.abspath(sys.argv[2])
+TYPED = []  # (arguments, exit status) of every run
+
+
+def run(*arguments, stdin=None, cwd=None, env=None):
+    done = subprocess.run([PROGRAM, *arguments], input=stdin, capture_output=True, text=True, cwd=cwd, timeout=300,
+                          env=env)
+    TYPED.append((arguments, done.returncode))
+    return done
+
+
+def run_json(*arguments):
+    done = run(*arguments, "--json")
+    return done.returncode, json.loads(done.stdout)
+
+
+class InFolder(unittest.TestCase):
+    """A folder of its own for each test."""
+
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory()
+        self.addCleanup(self.folder.cleanup)
+
+    def path(self, name, text=None):
+        path = os.path.join(self.folder.name, name)
+        if text is not None:
+            with open(path, "w", encoding="utf-8") as file:
+                file.write(text)
+        return path
+
+
+def unused_options():
+    """The options of the table of commands that no run which went well had."""
+    table = json.loads(subprocess.run([PROGRAM, "help", "--json"], capture_output=True, check=True).stdout)
+    used = set()
+    for arguments, status in TYPED:
+        if status not in (0, 1, 4) or not arguments:
+            continue
+        words = 2 if arguments[0] == "census" else 1
+        used |= {(" ".join(arguments[:words]), word.split("=")[0]) for word in arguments[words:]}
+    everywhere = {option for _, option in used}
+    unused = [f"{command['name']} {option['names'][-1]}" for command in table["commands"]
+              for option in command["options"]
+              if not any((command["name"], name) in used for name in option["names"])]
+    unused += [option["names"][-1] for option in table["common"] if not everywhere & set(option["names"])]
+    return unused

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "job.hpp"
+
+#include "progress_bar.hpp"
+
+#include "tetrarch/core/error.hpp"
+#include "tetrarch/format/text.hpp"
+
+#include <csignal>
+#include <filesystem>
+#include <iostream>
+#include <mutex>
+#include <semaphore.h>
+#include <set>
+#include <stop_token>
+#include <thread>
+
+namespace tetrarch::program {
+namespace {
+
+/// Ctrl-C asks the job to stop instead of killing it. A thread waits for the signal by way of a semaphore:
+/// libraries have threads of their own, older than `main`, to which a signal that is only blocked would go.
+class InterruptWatch {
+public:
+  InterruptWatch() {
+    sem_init(&came_, 0, 0);
+    struct sigaction action {};
+    action.sa_handler = [](int) { sem_post(&came_); };
+    action.sa_flags = SA_RESTART;
+    sigaction(SIGINT, &action, nullptr);
+    sigaction(SIGTERM, &action, nullptr);
+    std::thread([this] {
+      while (true) {
+        while (sem_wait(&came_) != 0) {
+        }
+        const std::lock_guard lock(mutex_);
+        source_.request_stop();
+        if (++asked_ == patience_)
+          std::_Exit(static_cast<int>(Status::interrupted)); // the job does not listen
+      }
+    }).detach();
+  }
+
+  /// So many times is a job asked before the program ends.
+  void set_patience(int times) {
+    const std::lock_guard lock(mutex_);
+    patience_ = times;
+  }
+
+  /// For the next job.
+  std::stop_token token() {
+    const std::lock_guard lock(mutex_);
+    source_ = std::stop_source();
+    asked_ = 0;
+    return source_.get_token();
+  }
+
+private:
+  inline static sem_t came_{};
+  std::mutex mutex_;
+  std::stop_source source_;
+  int asked_ = 0;
+  int patience_ = 2;
+};
+
+/// Its thread outlives every function.
+InterruptWatch& interrupts() {
+  static InterruptWatch watch;
+  return watch;
+}
+
+/// One file cannot hold two results.
+void require_different(const std::vector<Result::File>& files) {
+  std::set<std::filesystem::path> paths;
+  for (const Result::File& file : files)
+    if (!paths.insert(std::filesystem::weakly_canonical(std::filesystem::absolute(file.path))).second)
+      throw InputError({file.path, 0}, "two results are to be written to this file; nothing was");
+}
+
+void deliver(const Result& result, const Common& common, const std::string& speaker) {
+  require_different(result.files);
+  for (const Result::File& file : result.files) format::write_file_atomically(file.path, file.content);
+  if (!common.quiet)
+    for (const std::string& warning : result.warnings)
+      std::cerr << speaker << ": warning: " << warning << '\n';
+  if (common.json && !result.json.is_null())
+    std::cout << result.json.dump(2) << '\n';
+  else
+    std::cout << result.text;
+  std::cout.flush();
+  if (!std::cout) throw InputError("standard output cannot be written to");
+}
+
+} // namespace
+
+void be_patient() {
+  constexpr int patience = 4;
+  interrupts().set_patience(patience);
+}
+
+Status complain(const std::string& speaker, const std::string& message, Status status) {
+  std::cerr << speaker << ": " << message.substr(0, message.find('\n')) << '\n';
+  return status;
+}
+
+Done run_job(const Job& job, const Values* values, const std::string& speaker) {
+  const Common& common = job.common;
+  const auto failed = [&speaker](const std::string& message, Status status) {
+    return Done{complain(speaker, message, status), nullptr};
+  };
+  const ProgressBar bar(!common.quiet);
+  try {
+    const Context context{common, Progress(bar.report(), interrupts().token()), values};
+    Result result = job.run(context);
+    bar.clear();
+    deliver(result, common, speaker);
+    return {result.status, std::move(result.value)};
+  } catch (const Stopped&) {
+    bar.clear();
+    return failed("interrupted; nothing was written", Status::interrupted);
+  } catch (const InputError& e) {
+    bar.clear();
+    return failed(e.what(), Status::bad_input);
+  } catch (const std::bad_alloc&) {
+    bar.clear();
+    return failed("out of memory", Status::fault);
+  } catch (const std::exception& e) {
+    bar.clear();
+    return failed(std::string("internal error, please report it: ") + e.what(), Status::fault);
+  }
+}
+
+} // namespace tetrarch::program

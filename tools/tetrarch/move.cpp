@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "command.hpp"
+#include "info.hpp"
+#include "input.hpp"
+#include "output.hpp"
+#include "text.hpp"
+
+#include "tetrarch/core/error.hpp"
+#include "tetrarch/core/skeleton.hpp"
+#include "tetrarch/format/text.hpp"
+#include "tetrarch/moves/log.hpp"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <memory>
+#include <sstream>
+
+namespace tetrarch::program {
+namespace {
+
+using moves::Complex;
+using moves::Move;
+
+struct Options {
+  std::string input;
+  std::vector<std::string> words;
+  std::string log;
+  std::string output;
+  bool list = false;
+};
+
+/// The moves in a row of words, each as `parse_move` has it.
+moves::MoveLog moves_in(const std::vector<std::string>& words) {
+  moves::MoveLog log;
+  for (std::size_t first = 0; first < words.size();) {
+    std::size_t end = first + 1;
+    const auto is_number = [](const std::string& w) {
+      return w.find_first_not_of("0123456789") == std::string::npos;
+    };
+    while (end < words.size() && is_number(words[end])) ++end;
+    log.push_back(moves::parse_move(joined({words.begin() + static_cast<std::ptrdiff_t>(first),
+                                            words.begin() + static_cast<std::ptrdiff_t>(end)},
+                                           " ")));
+    first = end;
+  }
+  return log;
+}
+
+moves::MoveLog moves_in_file(const std::string& path) {
+  std::istringstream lines(format::read_file(path));
+  moves::MoveLog log;
+  std::string line;
+  for (int number = 1; std::getline(lines, line); ++number) {
+    if (line.empty()) continue;
+    try {
+      log.push_back(moves::parse_move(line));
+    } catch (const InputError& e) {
+      throw InputError({path, number}, e.what());
+    }
+  }
+  return log;
+}
+
+/// Whether a tetrahedron is there, which is for the caller of `apply` to know.
+void require_there(const Complex& complex, const Move& move) {
+  if (move.kind == moves::MoveKind::pack) return;
+  if (move.tet >= complex.slot_count() || !complex.is_alive(move.tet))
+    throw InputError("the move " + in_quotes(move.str()) + " names tetrahedron " + std::to_string(move.tet) +
+                     ": there is none of that number among " + std::to_string(complex.size()));
+}
+
+/// What would be legal, each move once for the face or edge class that it is made at.
+moves::MoveLog legal_moves(const Triangulation& tri, const Progress& progress) {
+  using Kind = moves::MoveKind;
+  const Complex complex(tri);
+  const Skeleton skeleton(tri);
+  moves::MoveLog legal;
+  const auto try_move = [&](const Move& move) {
+    if (!why_not_apply(complex, move)) legal.push_back(move);
+  };
+  for (int t = 0; t < tri.size(); ++t)
+    for (const Kind kind : {Kind::one_four, Kind::shell}) try_move({kind, t});
+  for (const VertexId v : all<VertexId>(skeleton.vertex_count())) {
+    const TetVertex at = skeleton.preimages(v).front();
+    for (const Kind kind : {Kind::four_one, Kind::two_zero_vertex}) try_move({kind, at.tet, at.vertex});
+  }
+  for (const FaceId f : all<FaceId>(skeleton.face_count())) {
+    const TetFace at = skeleton.preimages(f).front();
+    for (const Kind kind : {Kind::two_three, Kind::zero_two_face, Kind::open_book})
+      try_move({kind, at.tet, at.face});
+  }
+  for (const EdgeId e : all<EdgeId>(skeleton.edge_count())) {
+    progress.step("trying moves", static_cast<double>(e.value) / skeleton.edge_count());
+    if (skeleton.is_reversed(e)) continue;
+    const Walk walk = skeleton.around(e).front();
+    const DirectedTetEdge at{walk.tet, walk.from(), walk.to()};
+    for (const Kind kind : {Kind::three_two, Kind::two_zero_edge, Kind::close_book})
+      try_move({kind, at.tet, at.from, at.to});
+    for (const Kind kind : {Kind::merge, Kind::two_one, Kind::pinch}) {
+      try_move({kind, at.tet, at.from, at.to});
+      try_move({kind, at.tet, at.to, at.from});
+    }
+    for (const int axis : {0, 1}) try_move({Kind::four_four, at.tet, at.from, at.to, axis});
+    for (int turn = 1; turn < skeleton.valence(e); ++turn)
+      try_move({Kind::zero_two_edge, at.tet, at.from, at.to, turn});
+  }
+  return legal;
+}
+
+Result list_moves(const format::Document& document, const Options& options, const Context& context) {
+  const moves::MoveLog legal = legal_moves(document.triangulation, context.progress);
+  Result result;
+  result.warnings = document.warnings;
+  result.json["moves"] = Json::array();
+  for (const Move& move : legal) {
+    const auto meant = [&move](const std::string& word) { return is_called(move, word); };
+    if (!options.words.empty() && std::none_of(options.words.begin(), options.words.end(), meant)) continue;
+    const std::string line = move.str();
+    result.json["moves"].push_back(line);
+    result.text += line + "\n";
+  }
+  if (result.text.empty()) result.text = "no legal move of this kind\n";
+  return result;
+}
+
+/// Makes the moves. Of those that were typed each numbers the tetrahedra anew, as `info` shows them; those of
+/// a log keep their slots.
+Result make_moves(const Options& options, const Context& context) {
+  if (!options.output.empty()) output_format(options.output);
+  format::Document document = read_triangulation(options.input, context);
+  if (options.list) return list_moves(document, options, context);
+  const moves::MoveLog log = options.log.empty() ? moves_in(options.words) : moves_in_file(options.log);
+  Complex complex(document.triangulation);
+  Result result;
+  result.warnings = document.warnings;
+  for (std::size_t k = 0; k < log.size(); ++k) {
+    context.progress.step("moves", static_cast<double>(k) / static_cast<double>(log.size()));
+    require_there(complex, log[k]);
+    if (const auto obstacle = apply(complex, log[k])) {
+      const std::string where = log.size() > 1 ? " (move " + std::to_string(k + 1) + " of " +
+                                                     std::to_string(log.size()) + "; none was made)"
+                                               : "";
+      result.status = Status::proved_no;
+      result.json = {{"move", log[k].str()}, {"obstacle", to_string(*obstacle)}};
+      result.text = log[k].str() + " is illegal: " + to_string(*obstacle) + where + "\n";
+      return result;
+    }
+    if (options.log.empty()) complex.pack();
+  }
+  format::Document made = format::document_of(complex.triangulation(), document.name);
+  Info info = info_of(made.triangulation, made.name, context.progress);
+  result.json = std::move(info.json);
+  result.json["moves"] = log.size();
+  result.text = block(info.rows);
+  if (!options.output.empty()) add_file(result, options.output, made);
+  result.value = std::make_shared<Value>(std::move(made));
+  return result;
+}
+
+} // namespace
+
+Run declare_move(CLI::App& app) {
+  const auto options = std::make_shared<Options>();
+  app.add_option("X", options->input, "a triangulation or mesh")->required();
+  app.add_option("MOVE", options->words,
+                 "a name and the numbers of its place, as --list shows them: 2-3 0 1 is across face 1 of "
+                 "tetrahedron 0; several are made one after the other, all or none");
+  app.add_flag("--list", options->list,
+               "make no move, but list those that are legal, of the kinds named or all");
+  app.add_option("--log", options->log, "make the moves of a file, as simplify --moves writes it")
+      ->type_name("FILE");
+  app.add_option("-o,--output", options->output, "the file to write (its extension names the format)")
+      ->type_name("FILE");
+  return [options](const Context& context) {
+    if (options->words.empty() == options->log.empty() && !options->list)
+      throw InputError("expected moves, either typed or by --log FILE");
+    return make_moves(*options, context);
+  };
+}
+
+} // namespace tetrarch::program

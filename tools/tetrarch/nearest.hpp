@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace tetrarch::program {
+
+/// Of the candidates, the one that `word` most likely was meant to be; empty if none is near.
+/// O(length of the word times that of all candidates).
+std::string nearest(std::string_view word, const std::vector<std::string>& candidates);
+
+/// " (did you mean 'info'?)", or nothing.
+std::string did_you_mean(std::string_view word, const std::vector<std::string>& candidates);
+
+} // namespace tetrarch::program

@@ -1,0 +1,305 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "session.hpp"
+
+#include "../describe.hpp"
+#include "../input.hpp"
+#include "../nearest.hpp"
+#include "../text.hpp"
+#include "value_text.hpp"
+#include "words.hpp"
+
+#include "tetrarch/core/error.hpp"
+#include "tetrarch/format/text.hpp"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <fstream>
+#include <iostream>
+#include <memory>
+#include <utility>
+
+namespace tetrarch::program {
+namespace {
+
+constexpr int deepest = 20; ///< files that run one another
+constexpr std::size_t most_changes = 1000;
+
+std::string_view trimmed(std::string_view text) {
+  constexpr std::string_view blanks = " \t\r\n";
+  const std::size_t first = text.find_first_not_of(blanks);
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(blanks) - first + 1);
+}
+
+/// What can be pasted although it has blanks: JSON and presentations of groups.
+bool is_spelled_out(std::string_view text) {
+  return text.starts_with('{') || text.starts_with('<');
+}
+
+bool is_failure(Status status) {
+  return status != Status::done && status != Status::proved_no && status != Status::undecided;
+}
+
+/// The verb that shows a value of this kind.
+std::string showing(const Value& value) {
+  const std::string kind = kind_of(value);
+  return kind == "triangulation" ? "info" : kind == "group" ? "group" : "check";
+}
+
+/// Of "move Y two_three 0 1", Y: the first word after the verb that is no option.
+std::string first_argument(const std::vector<std::string>& words) {
+  for (std::size_t k = 1; k < words.size(); ++k)
+    if (!words[k].starts_with("-")) return words[k];
+  return {};
+}
+
+} // namespace
+
+Session::Session(const Common& defaults) : defaults_(defaults), verbs_(commands()) {
+  // A shell in a shell would forget its values on the way out.
+  std::erase_if(verbs_, [](const Command& c) { return std::string_view(c.name) == "shell"; });
+  for (Command& own : own_verbs()) verbs_.push_back(std::move(own));
+}
+
+bool Session::is_verb(const std::string& word) const {
+  return std::any_of(verbs_.begin(), verbs_.end(), [&word](const Command& c) {
+    const std::string_view name = c.name;
+    return name.substr(0, name.find(' ')) == word;
+  });
+}
+
+bool Session::changes_value(const Statement& statement) const {
+  const auto changes = [&statement](const Command& c) {
+    return c.changes && statement.words.front() == c.name;
+  };
+  return statement.name.empty() && std::any_of(verbs_.begin(), verbs_.end(), changes) &&
+         values_.contains(first_argument(statement.words));
+}
+
+Session::Statement Session::statement_of(std::string_view line) const {
+  line = trimmed(line);
+  Statement statement{std::string(line), {}, {}};
+  const std::size_t equals = line.find('=');
+  if (equals != std::string_view::npos && is_name(trimmed(line.substr(0, equals)))) {
+    statement.name = trimmed(line.substr(0, equals));
+    line = trimmed(line.substr(equals + 1));
+    if (is_verb(statement.name)) throw InputError("'" + statement.name + "' is a verb and can name no value");
+  }
+  statement.words = is_spelled_out(line) ? std::vector<std::string>{std::string(line)} : words_of(line);
+  // Pasted from a page about the program.
+  if (statement.words.size() > 1 && statement.words.front() == "tetrarch")
+    statement.words.erase(statement.words.begin());
+  if (!statement.name.empty() && statement.words.empty())
+    throw InputError("nothing stands after " + statement.name + " =");
+  return statement;
+}
+
+Status Session::run(std::string_view line, const std::string& speaker) {
+  try {
+    const Statement statement = statement_of(line);
+    if (statement.words.empty()) return Status::done;
+    return execute(statement, speaker);
+  } catch (const InputError& e) {
+    return complain(speaker, e.what(), Status::bad_input);
+  } catch (const std::exception& e) {
+    return complain(speaker, std::string("internal error, please report it: ") + e.what(), Status::fault);
+  }
+}
+
+Status Session::execute(const Statement& statement, const std::string& speaker) {
+  std::vector<std::string> words = statement.words;
+  if (words.size() == 1 && !is_verb(words[0]) && !words[0].starts_with("-")) {
+    if (!statement.name.empty()) {
+      name_what_is_given(statement);
+      return Status::done;
+    }
+    Context context;
+    context.values = &values_;
+    if (is_name(words[0]) && !values_.contains(words[0]) && !nearest(words[0], first_words(verbs_)).empty())
+      throw InputError("unknown command or value '" + words[0] + "'" +
+                       did_you_mean(words[0], first_words(verbs_)));
+    words.insert(words.begin(), showing(*read_value(words[0], context)));
+  }
+  const Parsed parsed = parse(words, verbs_, "", defaults_);
+  if (!parsed.job) {
+    std::cout << parsed.text << std::flush;
+    return Status::done;
+  }
+  const Done done = run_job(*parsed.job, &values_, speaker);
+  const std::string name = changes_value(statement) ? first_argument(words) : statement.name;
+  if (name.empty() || is_failure(done.status)) return done.status;
+  if (done.value != nullptr)
+    assign(name, done.value, statement);
+  else if (!statement.name.empty())
+    return complain(speaker, "nothing was made that " + name + " could name", Status::bad_input);
+  return done.status;
+}
+
+void Session::name_what_is_given(const Statement& statement) {
+  Context context;
+  context.values = &values_;
+  assign(statement.name, read_value(statement.words.front(), context), statement);
+  if (!defaults_.quiet) std::cout << statement.name << ": " << summary(*values_.at(statement.name)) << '\n';
+}
+
+/// What made a value is what made the values that it was made from, and the line itself.
+void Session::assign(const std::string& name, ValuePointer value, const Statement& statement) {
+  Lines lines;
+  std::vector<std::string> seen;
+  for (const std::string& word : statement.words) {
+    const auto used = lines_.find(word);
+    if (used == lines_.end() || std::find(seen.begin(), seen.end(), word) != seen.end()) continue;
+    seen.push_back(word);
+    lines.insert(lines.end(), used->second.begin(), used->second.end());
+  }
+  lines.push_back(statement.line);
+  ValuePointer& named = values_[name];
+  changes_.push_back({name, std::exchange(named, std::move(value)),
+                      std::exchange(lines_[name], std::move(lines)), statement.line});
+  if (changes_.size() > most_changes) changes_.erase(changes_.begin());
+}
+
+Status Session::run_file(const std::string& path) {
+  if (depth_ >= deepest)
+    throw InputError({path, 0}, "this is the file number " + std::to_string(deepest + 1) +
+                                    " that runs inside others; does it run itself?");
+  const std::string source = path == "-" ? "standard input" : path;
+  std::ifstream file;
+  if (path != "-") {
+    file.open(path);
+    if (!file) throw InputError({path, 0}, "cannot be opened");
+  }
+  std::istream& in = path == "-" ? std::cin : file;
+  ++depth_;
+  Status status = Status::done;
+  std::string line;
+  for (int number = 1; !ended_ && !is_failure(status) && std::getline(in, line); ++number)
+    status = run(line, source + ":" + std::to_string(number));
+  --depth_;
+  if (in.bad()) throw InputError({path, 0}, "cannot be read");
+  return is_failure(status) ? status : Status::done;
+}
+
+void Session::require_value(const std::string& name) const {
+  if (values_.contains(name)) return;
+  std::vector<std::string> names;
+  names.reserve(values_.size());
+  for (const auto& [known, value] : values_) names.push_back(known);
+  throw InputError("no value is called " + in_quotes(name) + did_you_mean(name, names));
+}
+
+Result Session::list() const {
+  Result result;
+  result.json = Json::object();
+  std::vector<std::pair<std::string, std::string>> rows;
+  for (const auto& [name, value] : values_) {
+    result.json[name] = {{"kind", kind_of(*value)}, {"summary", summary(*value)}};
+    rows.emplace_back(name, summary(*value));
+  }
+  result.text = rows.empty() ? "no values yet\n" : block(rows);
+  return result;
+}
+
+Result Session::print(const std::vector<std::string>& names) const {
+  Result result;
+  result.json = Json::object();
+  const auto add = [&](const std::string& name) {
+    require_value(name);
+    const std::string text = spelled(*values_.at(name));
+    result.json[name] = text;
+    result.text += name + " = " + text + "\n";
+  };
+  for (const std::string& name : names) add(name);
+  if (!names.empty()) return result;
+  for (const auto& [name, value] : values_) {
+    if (can_be_spelled(*value))
+      add(name);
+    else // a comment, so that the rest can still be pasted
+      result.text += "# " + name + ": " + summary(*value) + ", too long for a line\n";
+  }
+  return result;
+}
+
+Result Session::log(const std::string& name) const {
+  require_value(name);
+  Result result;
+  result.json = {{"lines", lines_.at(name)}};
+  for (const std::string& line : lines_.at(name)) result.text += line + "\n";
+  return result;
+}
+
+Result Session::forget(const std::vector<std::string>& names) {
+  for (const std::string& name : names) require_value(name);
+  Result result;
+  result.json = {{"forgotten", names}};
+  for (const std::string& name : names) {
+    if (!values_.contains(name)) continue; // named twice
+    changes_.push_back({name, std::move(values_.at(name)), std::move(lines_.at(name)), "forget " + name});
+    values_.erase(name);
+    lines_.erase(name);
+  }
+  return result;
+}
+
+Result Session::undo() {
+  if (changes_.empty()) throw InputError("there is nothing to undo");
+  Change last = std::move(changes_.back());
+  changes_.pop_back();
+  Result result;
+  result.text =
+      last.name + (last.value ? " is what it was before: " : " is gone, as before: ") + last.line + "\n";
+  result.json = {{"name", last.name}, {"undone", last.line}};
+  if (last.value) {
+    values_[last.name] = std::move(last.value);
+    lines_[last.name] = std::move(last.lines);
+  } else {
+    values_.erase(last.name);
+    lines_.erase(last.name);
+  }
+  return result;
+}
+
+std::vector<Command> Session::own_verbs() {
+  const auto no_options = [](auto act) {
+    return [act](CLI::App&) -> Run { return [act](const Context&) { return act(); }; };
+  };
+  const auto end = [this] {
+    ended_ = true;
+    return Result();
+  };
+  const auto with_names = [](const char* what, bool required, auto act) {
+    return [=](CLI::App& app) -> Run {
+      const auto names = std::make_shared<std::vector<std::string>>();
+      app.add_option("NAME", *names, what)->required(required);
+      return [names, act](const Context&) { return act(*names); };
+    };
+  };
+  const auto with_word = [](const char* word, const char* what, auto act) {
+    return [=](CLI::App& app) -> Run {
+      const auto argument = std::make_shared<std::string>();
+      app.add_option(word, *argument, what)->required();
+      return [argument, act](const Context&) { return act(*argument); };
+    };
+  };
+  return {
+      {"values", "the values that have names", "values", no_options([this] { return list(); })},
+      {"print", "values so that they can be pasted back in", "print Y",
+       with_names("which; nothing: all", false,
+                  [this](const std::vector<std::string>& names) { return print(names); })},
+      {"log", "the lines and moves that made a value", "log Y",
+       with_word("NAME", "which", [this](const std::string& name) { return log(name); })},
+      {"undo", "take back the last change of a value", "undo", no_options([this] { return undo(); })},
+      {"forget", "take names away from their values", "forget Y",
+       with_names("whose", true, [this](const std::vector<std::string>& names) { return forget(names); })},
+      {"run", "run the lines of a file", "run moves.txt",
+       with_word("FILE", "one line a command; # begins a comment",
+                 [this](const std::string& path) {
+                   Result result;
+                   result.status = run_file(path);
+                   return result;
+                 })},
+      {"quit", "end the session; so does Ctrl-D", "quit", no_options(end)},
+  };
+}
+
+} // namespace tetrarch::program

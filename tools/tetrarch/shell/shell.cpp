@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "../command.hpp"
+#include "line_editor.hpp"
+#include "session.hpp"
+
+#include "tetrarch/core/error.hpp"
+
+#include <CLI/CLI.hpp>
+#include <cstdlib>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <unistd.h>
+
+namespace tetrarch::program {
+namespace {
+
+constexpr const char* prompt = "tetrarch> ";
+
+/// $XDG_STATE_HOME/tetrarch/history, by default ~/.local/state/tetrarch/history. Empty where that cannot be.
+std::string history_file() {
+  namespace fs = std::filesystem;
+  const char* state = std::getenv("XDG_STATE_HOME");
+  const char* home = std::getenv("HOME");
+  if ((state == nullptr || *state == 0) && (home == nullptr || *home == 0)) return {};
+  const fs::path folder =
+      (state != nullptr && *state != 0 ? fs::path(state) : fs::path(home) / ".local/state") / "tetrarch";
+  std::error_code error;
+  fs::create_directories(folder, error);
+  return error ? "" : (folder / "history").string();
+}
+
+Status converse(Session& session) {
+  std::cout << "Tetrarch " TETRARCH_VERSION
+               ". 'help' lists the verbs, 'help VERB' explains one, 'quit' ends.\n";
+  const Json table = described(session.verbs());
+  const auto completer = [&](std::string_view text) { return complete(text, table, session.values()); };
+  LineEditor editor(prompt, history_file(), completer);
+  while (!session.ended()) {
+    std::optional<std::string> line = editor.line();
+    if (!line) {
+      std::cout << '\n';
+      break;
+    }
+    // A line pasted with its prompt.
+    if (line->starts_with(prompt)) line->erase(0, std::char_traits<char>::length(prompt));
+    session.run(*line, "tetrarch");
+  }
+  return Status::done;
+}
+
+} // namespace
+
+Run declare_shell(CLI::App& app) {
+  const auto file = std::make_shared<std::string>();
+  app.add_option("FILE", *file, "a script, one line a command, - for standard input; nothing: type");
+  return [file](const Context& context) {
+    be_patient();
+    Session session(context);
+    Result result;
+    const bool typed = file->empty() && isatty(STDIN_FILENO) == 1;
+    result.status = typed ? converse(session) : session.run_file(file->empty() ? "-" : *file);
+    return result;
+  };
+}
+
+} // namespace tetrarch::program

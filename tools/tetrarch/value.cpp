@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "value.hpp"
+
+#include <algorithm>
+
+namespace tetrarch::program {
+
+std::string kind_of(const Value& value) {
+  if (std::holds_alternative<format::Document>(value)) return "triangulation";
+  if (std::holds_alternative<algebra::Presentation>(value)) return "group";
+  const auto& mesh = std::get<format::MeshDocument>(value);
+  return mesh.soup.tetrahedra.empty() && mesh.hexahedra.empty() ? "surface" : "mesh";
+}
+
+bool is_name(std::string_view text) {
+  const auto letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; };
+  const auto inner = [&letter](char c) { return letter(c) || (c >= '0' && c <= '9'); };
+  return !text.empty() && letter(text.front()) && std::all_of(text.begin(), text.end(), inner);
+}
+
+} // namespace tetrarch::program
