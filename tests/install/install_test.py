@@ -1,0 +1,179 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""A copy installed into a folder of its own, and moved: the program, its pages and completions, the library as
+another project uses it.
+
+Usage: install_test.py BUILD_DIR SOURCE_DIR CXX_COMPILER
+"""
+import json
+import os
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+
+BUILD, SOURCE = (pathlib.Path(path).resolve() for path in sys.argv[1:3])
+COMPILER = sys.argv[3]
+HERE = pathlib.Path(__file__).resolve().parent
+FOLDER = tempfile.TemporaryDirectory()
+WORK = pathlib.Path(FOLDER.name)
+PREFIX = WORK / "elsewhere"
+
+# Yin, section 4.2.3, and Frigerio-Martelli-Petronio 2004: two regular truncated tetrahedra of angle pi/6.
+KNOTTED_Y, VOLUME = "cPcbbbihq", "6.451990270835"
+
+
+def run(*command, **options):
+    done = subprocess.run([str(word) for word in command], capture_output=True, text=True, timeout=300, **options)
+    if done.returncode != 0:
+        raise AssertionError(f"{command}: status {done.returncode}\n{done.stdout}{done.stderr}")
+    return done.stdout
+
+
+def setUpModule():
+    run("cmake", "--install", BUILD, "--prefix", WORK / "first")
+    # What names the folder it was installed into would now miss it.
+    (WORK / "first").rename(PREFIX)
+
+
+def tearDownModule():
+    FOLDER.cleanup()
+
+
+def program(*arguments):
+    return run(PREFIX / "bin/tetrarch", *arguments, cwd=WORK)
+
+
+def table():
+    return json.loads(program("help", "--json"))
+
+
+class Program(unittest.TestCase):
+    def test_it_runs(self):
+        self.assertIn(f"volume      {VOLUME}\n", program("hyperbolize", KNOTTED_Y))
+
+    def test_it_brings_its_texts(self):
+        share = PREFIX / "share"
+        for name in ("README.md", "CHANGELOG.md", "LICENSE"):
+            self.assertEqual((share / "doc/tetrarch" / name).read_bytes(), (SOURCE / name).read_bytes())
+        census = [path.relative_to(SOURCE) for path in (SOURCE / "census").rglob("*.json")]
+        self.assertTrue({"fmp2.json", "fmp3.json", "triangulation.schema.json"} <= {path.name for path in census})
+        for path in census:
+            self.assertEqual((share / "tetrarch" / path).read_bytes(), (SOURCE / path).read_bytes(), path)
+
+
+class Pages(unittest.TestCase):
+    folder = PREFIX / "share/man/man1"
+
+    def test_each_command_has_one_and_nothing_else_has(self):
+        names = {"tetrarch"} | {"tetrarch-" + command["name"].replace(" ", "-") for command in table()["commands"]}
+        self.assertEqual({page.stem for page in self.folder.iterdir()}, names)
+
+    @unittest.skipUnless(shutil.which("groff"), "groff is missing")
+    def test_groff_has_no_complaint(self):
+        for page in self.folder.iterdir():
+            done = subprocess.run(["groff", "-man", "-ww", "-b", "-Tutf8", "-z", page], capture_output=True, text=True)
+            self.assertEqual((done.returncode, done.stderr), (0, ""), page)
+
+    @unittest.skipUnless(shutil.which("groff"), "groff is missing")
+    def test_what_they_say_is_the_table(self):
+        for command in table()["commands"]:
+            page = self.folder / f"tetrarch-{command['name'].replace(' ', '-')}.1"
+            # One long line a paragraph, no hyphenation, no bold: the text as it stands in the table.
+            text = run("groff", "-man", "-Tascii", "-P-cbou", "-rLL=9999n", page)
+            for option in command["options"]:
+                for name in option["names"]:
+                    self.assertRegex(text, rf"(^|[ ,]){re.escape(name)}\b", page)
+                self.assertIn(option["help"], text)
+            self.assertIn(command["example"], text)
+            for title in ("NAME", "SYNOPSIS", "DESCRIPTION", "COMMON OPTIONS", "EXIT STATUS", "EXAMPLES", "SEE ALSO"):
+                self.assertIn(f"\n{title}\n", text)
+
+
+class Completions(unittest.TestCase):
+    bash = PREFIX / "share/bash-completion/completions/tetrarch"
+    zsh = PREFIX / "share/zsh/site-functions/_tetrarch"
+
+    def offered(self, *words):
+        """What bash offers for the last of the words that follow the program's name."""
+        script = (f"set -u; . {self.bash}; COMP_WORDS=(tetrarch \"$@\"); COMP_CWORD=$#; _tetrarch\n"
+                  "[ ${#COMPREPLY[@]} -eq 0 ] || printf '%s\\n' \"${COMPREPLY[@]}\"")
+        return run("bash", "-c", script, "bash", *words, cwd=SOURCE).splitlines()
+
+    def test_commands_by_one_word_or_two(self):
+        commands = [command["name"] for command in table()["commands"]]
+        self.assertEqual(set(self.offered("")), {name.split()[0] for name in commands} | {"--help", "--version"})
+        self.assertEqual(self.offered("hyp"), ["hyperbolize"])
+        self.assertEqual(self.offered("census", "s"), ["show"])
+        self.assertEqual(self.offered("help", "census", "v"), ["validate"])
+        self.assertEqual(self.offered("nosuch", ""), [])
+
+    def test_options_of_the_command_and_common_ones(self):
+        for command in table()["commands"]:
+            names = {name for option in command["options"] + table()["common"] for name in option["names"]}
+            self.assertEqual(set(self.offered(*command["name"].split(), "-")), names | {"-h", "--help"})
+
+    def test_choices(self):
+        self.assertEqual(self.offered("hyperbolize", "--method", ""), ["newton", "flow"])
+        self.assertEqual(self.offered("hyperbolize", "--method", "=", "f"), ["flow"])
+        self.assertEqual(self.offered("hyperbolize", "--attempts", ""), [])
+
+    def test_names_and_files(self):
+        self.assertEqual(self.offered("info", "fmp2_"), [f"fmp2_{n}" for n in range(1, 9)])
+        self.assertEqual(self.offered("census", "show", "fmp3_15"), ["fmp3_15", "fmp3_150", "fmp3_151"])
+        self.assertEqual(self.offered("isometric", "--seed", "2", "fmp2_1", "tests/data/knotted_y.j"),
+                         ["tests/data/knotted_y.json"])
+        self.assertEqual(self.offered("info", "fmp2_1", "fmp2_"), [], "info takes one argument")
+        self.assertEqual(self.offered("slit", "fmp2_"), [], "a surface is a file")
+        self.assertEqual(self.offered("convert", "fmp2_1", "-o", "CHANGE"), ["CHANGELOG.md"])
+
+    @unittest.skipUnless(shutil.which("zsh"), "zsh is missing")
+    def test_zsh_can_read_its_own(self):
+        run("zsh", "-n", self.zsh)
+
+    def test_zsh_is_offered_the_same(self):
+        text = self.zsh.read_text(encoding="utf-8")
+        for command in table()["commands"]:
+            specifications = text.split(f"    '{command['name']}')\n", 1)[1].split(" ;;", 1)[0]
+            for option in command["options"] + table()["common"]:
+                for name in option["names"]:
+                    self.assertRegex(specifications, rf"[)*]{re.escape(name)}[=+]?\[")
+
+
+class Library(unittest.TestCase):
+    def test_another_project_finds_and_uses_it(self):
+        build = WORK / "build"
+        run("cmake", "-S", HERE, "-B", build, f"-DCMAKE_PREFIX_PATH={PREFIX}", f"-DCMAKE_CXX_COMPILER={COMPILER}",
+            "-DCMAKE_BUILD_TYPE=Release")
+        run("cmake", "--build", build)
+        self.assertEqual(run(build / "knotted_y", KNOTTED_Y), VOLUME + "\n")
+
+    def test_a_later_version_is_refused(self):
+        project = WORK / "later"
+        project.mkdir()
+        (project / "CMakeLists.txt").write_text("cmake_minimum_required(VERSION 3.25)\nproject(later NONE)\n"
+                                                "find_package(tetrarch 1.0 REQUIRED)\n", encoding="utf-8")
+        done = subprocess.run(["cmake", "-S", project, "-B", project / "build", f"-DCMAKE_PREFIX_PATH={PREFIX}"],
+                              capture_output=True, text=True)
+        self.assertNotEqual(done.returncode, 0)
+        self.assertIn("compatible with requested version", done.stderr)
+
+    def test_no_file_of_it_names_a_place(self):
+        for file in PREFIX.glob("lib*/**/cmake/tetrarch/*.cmake"):
+            text = file.read_text(encoding="utf-8")
+            for place in (str(BUILD), str(SOURCE), str(WORK), "/usr/"):
+                self.assertNotIn(place, text, file)
+
+    def test_every_header_is_there(self):
+        headers = [path.relative_to(SOURCE) for path in (SOURCE / "include").rglob("*.hpp")]
+        self.assertGreater(len(headers), 0)
+        for header in headers:
+            self.assertTrue((PREFIX / header).is_file(), header)
+
+
+if __name__ == "__main__":
+    os.environ["LC_ALL"] = "C.UTF-8"
+    unittest.main(argv=sys.argv[:1], verbosity=1)
