@@ -12,6 +12,7 @@
 
 namespace tetrarch::algebra {
 
+/// A finitely generated abelian group, up to isomorphism.
 class AbelianGroup {
 public:
   AbelianGroup() = default;

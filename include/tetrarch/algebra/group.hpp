@@ -24,6 +24,7 @@ namespace tetrarch::algebra {
 
 using Word = std::vector<int>;
 
+/// Generators and relators; for the letters of a word see above.
 struct Presentation {
   int generators = 0;
   std::vector<Word> relators;
@@ -42,6 +43,7 @@ std::string word_str(const Word& word, int generators);
 Word freely_reduced(const Word& word);
 Word cyclically_reduced(const Word& word);
 
+/// A presentation of the fundamental group, and where each generator and relator comes from.
 struct DualPresentation {
   Presentation presentation;
   /// The face that generator g crosses, from this side to its partner: the first pre-image of its face class.

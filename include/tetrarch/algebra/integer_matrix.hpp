@@ -15,6 +15,7 @@ namespace tetrarch::algebra {
 
 using Integer = boost::multiprecision::mpz_int;
 
+/// A matrix of integers of any size, of which the entries other than 0 are kept.
 class SparseMatrix {
 public:
   struct Entry {

@@ -16,6 +16,7 @@
 
 namespace tetrarch::algebra {
 
+/// The invariant factors of a matrix, those that are not 0.
 struct SmithForm {
   int units = 0;                ///< how many invariant factors are 1
   std::vector<Integer> factors; ///< the others: all > 1, each divides the next

@@ -21,6 +21,7 @@ namespace tetrarch::bundle {
 
 enum class Danger : std::uint8_t { safe, moderate, extreme };
 
+/// How dangerous the boundary values of a sub-component are.
 struct Assignment {
   Danger danger = Danger::safe;
   int forbidding = 0; ///< of an extreme one +1 or -1, or 0 if all values are open; else 0

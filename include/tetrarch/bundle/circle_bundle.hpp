@@ -4,17 +4,16 @@
 /// A circle bundle over a triangulated surface, as a triangulation.
 ///
 ///      T2 ----- T1      Over each triangle of the surface stands a ring of N prisms, N being the
-///      *resolution*
-///       | \   / |       of the fibres. A prism is cut into three tetrahedra as its cutting pattern says:
-///       order |  T0   |       its corners r0, r1, r2 so that the diagonals run from the bottom of the
-///       earlier to the
-///      B2 --|-- B1      top of the later corner; then, from below, B0 B1 B2 T2, B0 B1 T1 T2, B0 T0 T1 T2.
+///       | \   / |       *resolution* of the fibres. A prism is cut into three tetrahedra as its cutting
+///       |  T0   |       pattern says: order its corners r0, r1, r2 so that the diagonals run from the
+///       |   |   |       bottom of the earlier to the top of the later corner; then, from below,
+///      B2 --|-- B1      B0 B1 B2 T2, B0 B1 T1 T2, B0 T0 T1 T2.
 ///         \ | /
-///           B0          Over an edge, level j over an end of side s is glued to level j + `shift` over the
-///           same
-///                       end of its mate, or to level -j + shift where mates are turned. The shift may change
-///                       by t = 0, +1 or -1 along the edge, its *twist*; what is a base edge on one bank is
-///                       then a diagonal on the other:
+///           B0
+///
+/// Over an edge, level j over an end of side s is glued to level j + `shift` over the same end of its mate,
+/// or to level -j + shift where mates are turned. The shift may change by t = 0, +1 or -1 along the edge, its
+/// *twist*; what is a base edge on one bank is then a diagonal on the other:
 ///
 ///        mates opposite   t = 0: values +1,-1 or -1,+1    t = +1: -1,-1    t = -1: +1,+1
 ///        mates turned     t = 0: the same                 t = +1: +1,+1    t = -1: -1,-1
@@ -54,6 +53,7 @@ struct Recipe {
   std::vector<std::int8_t> value; ///< of each side, as in a cutting pattern
 };
 
+/// The bundle over `base`, and how its tetrahedra lie over it.
 struct CircleBundle {
   mesh::Surface base;
   int fiber = 1;

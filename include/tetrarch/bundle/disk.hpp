@@ -15,6 +15,7 @@ namespace tetrarch::bundle {
 using mesh::Side;
 using mesh::sides_of;
 
+/// A surface that is a disk.
 class Disk : public mesh::Surface {
 public:
   /// From the corners of triangles of consistent orientation; as `mesh::Surface`, and throws `InputError`

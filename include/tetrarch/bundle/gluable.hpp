@@ -3,15 +3,11 @@
 
 /// Gluable triangulations and the gluing map: the walls over a cut, in the dissertation's grid coordinates.
 ///
-///     j+1  o----o----o        A *band* is the wall over one bank c of a curve of the cut, M edges long. Its
-///     vertex
-///          | \  | /  |        (c, i, j) lies on level j, 0 <= j < N, over the i-th vertex of the bank, 0 <=
-///          i <= M,
-///     j    o----o----o        where i grows along the boundary of the covering disk, on both banks. Over an
-///     edge
-///          i             i+1      of value +1 the diagonals run upwards (diagonal edges), over one of -1
-///          downwards
-///                             (anti-diagonal edges).
+///     j+1  o-----o-----o      A *band* is the wall over one bank c of a curve of the cut, M edges long. Its
+///          |   / | \   |      vertex (c, i, j) lies on level j, 0 <= j < N, over the i-th vertex of the
+///          | /   |   \ |      bank, 0 <= i <= M, where i grows along the boundary of the covering disk, on
+///     j    o-----o-----o      both banks. Over an edge of value +1 the diagonals run upwards (diagonal
+///          i +1 i+1 -1 i+2    edges), over one of -1 downwards (anti-diagonal edges).
 ///
 /// The gluing map takes (a, i, j) to (a^-1, M - i, j + c(i)), or to (a', i, -j + c(i)) where the banks run
 /// together. On a sphere, where the curve is closed and every value +1, c(i) = N/2 - i if one counts from the
@@ -43,6 +39,7 @@ std::vector<std::array<Band, 2>> bands(const mesh::MarkedSurface& cut);
 /// The number of turns by N steps that a curve's fibres make from its beginning to its end, times N.
 int twist_along(const Band& band, const Recipe& recipe);
 
+/// The vertex (c, i, j) of the band over bank c.
 struct GridVertex {
   int i = 0;
   int j = 0; ///< of any size; mod N

@@ -6,11 +6,11 @@
 /// | surface         | cut along                             | twisted                         |
 /// | --------------- | ------------------------------------- | ------------------------------- |
 /// | disk            | nothing (chapter 5)                   | nothing                         |
-/// | sphere          | an equator of |e| N edges (chapter 6) | all of it, by -1 for e > 0      |
+/// | sphere          | an equator of abs(e) N edges (chap. 6) | all of it, by -1 for e > 0      |
 /// | genus g >= 1    | 2g canonical loops (chapter 7)        | N edges on each of loops 3 - 2g |
-/// | everything else | a short cut graph                     | |e| N edges of it               |
+/// | everything else | a short cut graph                     | abs(e) N edges of it            |
 ///
-/// The text has equators and twisted loops of exactly |e| N and N edges. Shorter ones are split; of longer
+/// The text has equators and twisted loops of exactly abs(e) N and N edges. Shorter ones are split; of longer
 /// ones the rest is not twisted. Canonical loops serve for every Euler number: other than chi it is spread
 /// over the last loops.
 
@@ -33,6 +33,7 @@ struct PlanOptions {
   } cut = Cut::dissertation; ///< any: always a short cut graph
 };
 
+/// How the bundle is made: where the surface is cut, and where it is twisted.
 struct Plan {
   enum class Method : std::uint8_t { disk, equator, canonical_loops, cut_graph } method = Method::disk;
   mesh::MarkedSurface cut; ///< the surface, refined, some of its triangles turned over

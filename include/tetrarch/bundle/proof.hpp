@@ -43,6 +43,7 @@ struct Fibers {
   std::vector<Reference> reference;
 };
 
+/// That a triangulation is a circle bundle, or what speaks against it.
 struct Proof {
   std::string failure; ///< what is wrong, a sentence; empty: this is a circle bundle with fibres of N edges
   Fibers fibers;       ///< only without a failure

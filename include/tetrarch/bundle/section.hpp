@@ -18,6 +18,7 @@
 
 namespace tetrarch::bundle {
 
+/// A section over vertices and edges: its place on each fibre, and its way from one fibre to the next.
 struct Section {
   /// Where it meets the fibre over each vertex: any real number, counted mod N from the fibre's place 0.
   std::vector<double> place;

@@ -3,11 +3,11 @@
 
 /// Fields of unit tangent vectors on a surface in space, and their singularities.
 ///
-///          \  |  /          A direction at a vertex is an angle, counted along the vertex's fan (mesh::fan
-///          from
-///        ---  v  ---        the vertex's first corner) from the first edge on. Around an inner vertex the
-///        angles
-///          /  |  \          between edges are scaled to 2 pi in all.
+///          \  |  /          A direction at a vertex is an angle, counted along the
+///           \ | /           vertex's fan (mesh::fan from the vertex's first corner)
+///        -----v-----        from the first edge on. Around an inner vertex
+///           / | \           the angles between edges are scaled
+///          /  |  \          to 2 pi in all.
 ///
 /// Along each edge the field turns the shorter way against the direction that stays parallel. Around a
 /// triangle it has then turned, the curvature taken off, some whole number of times: the index. Law: on a

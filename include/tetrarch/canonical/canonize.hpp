@@ -40,6 +40,7 @@ struct CanonizeOptions {
   std::uint64_t seed = 1;
 };
 
+/// The canonical decomposition, or how far the search for it came.
 struct Canonical {
   enum class Outcome {
     canonical, ///< no face is concave

@@ -10,8 +10,7 @@
 ///
 ///     cell_center --- wall_center    One small tetrahedron for each side of each wall polygon of each cell:
 ///          \            /            the two ends of the side, the centre of the wall, the centre of the
-///          cell.
-///           side of a wall
+///           side of a wall           cell.
 
 #include "tetrarch/core/skeleton.hpp"
 
@@ -31,6 +30,7 @@ struct Cell {
   std::string name() const;
 };
 
+/// The cells, and the triangulation that depends on them alone.
 struct CellDecomposition {
   std::vector<Cell> cells; ///< by their first tetrahedron
   /// Coned from the centres of cells and walls, whatever the diagonals were: isomorphic for equal

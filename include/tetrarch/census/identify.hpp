@@ -4,9 +4,11 @@
 /// Which known manifold is this? From whatever triangulation: with real boundary, finite vertices, a million
 /// tetrahedra.
 ///
-///     any triangulation  --search-->  one with a hyperbolic structure  --canonize-->  isometry signature
-///                                     |                                               --look up-->  name
-///                                     `-- none found: simplify the input, and recognise it
+///     any triangulation --search--> one with a hyperbolic structure --canonize--> isometry signature
+///                          |                                                              |
+///                          | none found                                           look up |
+///                          v                                                              v
+///                       the input, simplified: recognise it                             name
 ///
 /// By Mostow-Prasad rigidity the isometry signature names the manifold (orientation forgotten), so what is in
 /// no table has no name there, whatever its triangulation. Every step is written down in `tried`, because the
@@ -28,6 +30,7 @@ struct IdentifyOptions {
   int attempts = 1000; ///< triangulations on which a structure is sought
 };
 
+/// The name of a manifold, by what it was found, and all that was tried.
 struct Identification {
   enum class By { nothing, isometry_signature, triangulation, group };
 

@@ -19,6 +19,7 @@
 
 namespace tetrarch::census {
 
+/// A hyperbolic manifold of the census, with what tells it apart.
 struct Manifold {
   std::string name; ///< "fmp3_17"; empty where no table gives one
   int tetrahedra = 0;

@@ -19,6 +19,7 @@
 
 namespace tetrarch::census {
 
+/// The name of a manifold, and by what it was found.
 struct Recognition {
   enum class By { nothing, triangulation, group };
 

@@ -44,6 +44,7 @@ struct Published {
 /// Nothing where nothing is known to be published.
 std::optional<Published> published(int tetrahedra);
 
+/// What comes out where the stored tables are rebuilt and solved again.
 struct Validation {
   int tetrahedra = 0;
   // Rebuilt from nothing:

@@ -8,6 +8,7 @@
 
 namespace tetrarch {
 
+/// One component of the boundary: unglued faces (real) or the link of an ideal vertex.
 struct BoundaryComponent {
   enum class Kind { real, ideal };
   Kind kind;

@@ -10,6 +10,7 @@
 
 namespace tetrarch {
 
+/// One thing that is wrong, and where.
 struct Defect {
   enum class Kind {
     edge_reversed,   ///< an edge class is identified with itself backwards

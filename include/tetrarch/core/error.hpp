@@ -24,6 +24,7 @@ struct Place {
   int line = 0;
 };
 
+/// Bad data from outside.
 struct InputError : std::runtime_error {
   explicit InputError(const std::string& message);
   /// The message reads "source:line: message" (without ":line" where the line is 0).

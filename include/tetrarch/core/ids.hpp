@@ -12,6 +12,7 @@
 
 namespace tetrarch {
 
+/// The number of a class; ids of different kinds are different types.
 template <class Kind>
 struct Id {
   int value = -1;

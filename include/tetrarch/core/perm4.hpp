@@ -13,6 +13,7 @@
 
 namespace tetrarch {
 
+/// A permutation of 0, 1, 2, 3.
 class Perm4 {
 public:
   static constexpr int count = 24;

@@ -21,6 +21,7 @@ struct Stopped : std::runtime_error {
   Stopped() : std::runtime_error("interrupted") {}
 };
 
+/// How a long job reports and is asked to stop.
 class Progress {
 public:
   /// Called with a short stage name and the fraction done, in [0, 1]; negative where it is unknown.

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
-/// Random choices that are the same everywhere: <random>'s distributions differ between standard libraries.
+/// Random choices that are the same everywhere: the distributions of `<random>` differ between standard
+/// libraries.
 
 #include <cstdint>
 

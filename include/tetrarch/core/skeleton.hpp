@@ -21,6 +21,7 @@
 
 namespace tetrarch {
 
+/// The classes of faces, edges and vertices, with their pre-images.
 class Skeleton {
 public:
   explicit Skeleton(const Triangulation& tri);

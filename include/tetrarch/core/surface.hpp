@@ -30,6 +30,7 @@ struct SurfaceType {
   friend bool operator==(const SurfaceType&, const SurfaceType&) = default;
 };
 
+/// Triangles, glued along their sides.
 class TriangulatedSurface {
 public:
   struct Side {

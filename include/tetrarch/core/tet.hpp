@@ -7,11 +7,10 @@
 ///            0            Vertices 0..3; face i lies opposite vertex i.
 ///           /|\           Edges 01,02,03,12,13,23 are numbered 0..5, so opposite edges sum to 5.
 ///          / | \          (Regina numbers edges alike; SnapPea's edge e is our 5 - e.)
-///         3--|--1         Positively handed: from outside, face 0 shows 1,2,3 counter-clockwise (as drawn, 2
-///         in front),
-///          \ | /          that is, det(v1-v0, v2-v0, v3-v0) > 0. A gluing of two positively handed
-///          tetrahedra keeps
-///            2            orientations iff its permutation is odd.
+///         3--|--1         Positively handed: from outside, face 0 shows 1,2,3 counter-clockwise (as drawn,
+///          \ | /          edge 02 in front), that is, det(v1-v0, v2-v0, v3-v0) > 0. A gluing of two
+///           \|/           positively handed tetrahedra keeps orientations iff its permutation is odd.
+///            2
 ///
 /// Tetrahedra are plain indices `int`; a local simplex is a tetrahedron and a local number.
 
@@ -22,18 +21,21 @@
 
 namespace tetrarch {
 
+/// The t-vertex `vertex` of tetrahedron `tet`.
 struct TetVertex {
   int tet = -1;
   int vertex = 0;
   friend constexpr auto operator<=>(TetVertex, TetVertex) = default;
 };
 
+/// The t-edge `edge` of tetrahedron `tet`, without a direction.
 struct TetEdge {
   int tet = -1;
   int edge = 0;
   friend constexpr auto operator<=>(TetEdge, TetEdge) = default;
 };
 
+/// The t-face `face` of tetrahedron `tet`, without an orientation.
 struct TetFace {
   int tet = -1;
   int face = 0;

@@ -26,6 +26,7 @@ struct Gluing {
   friend constexpr bool operator==(Gluing, Gluing) = default;
 };
 
+/// Tetrahedra and the gluings of their faces.
 class Triangulation {
 public:
   /// `tets` tetrahedra, nothing glued.

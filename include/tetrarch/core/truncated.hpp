@@ -15,6 +15,7 @@
 
 namespace tetrarch {
 
+/// A triangulation with its vertices sliced off.
 class TruncatedTriangulation {
 public:
   /// Truncates all vertices of a closed gluing. Throws PreconditionError if a face is on the boundary. O(n).

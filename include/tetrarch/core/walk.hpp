@@ -13,6 +13,7 @@
 
 namespace tetrarch {
 
+/// A tetrahedron held in the hand.
 struct Walk {
   int tet = -1;
   Perm4 hold;

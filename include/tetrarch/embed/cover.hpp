@@ -28,6 +28,7 @@ struct PieceBounds {
   double radius = 0;
 };
 
+/// Copies of a fundamental domain: a finite piece of the universal cover.
 struct Piece {
   std::vector<Matrix4<double>> copies; ///< the first is the identity; by word length
   std::vector<int> parent;             ///< -1 for the first

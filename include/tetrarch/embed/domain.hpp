@@ -27,6 +27,7 @@ namespace tetrarch::embed {
 
 using hyperbolic::Metric;
 
+/// Open faces that look at the same copy of the domain.
 template <class Scalar>
 struct GluableFace {
   std::vector<TetFace> hexagons;
@@ -34,6 +35,7 @@ struct GluableFace {
   Matrix4<Scalar> pairing; ///< takes the domain to the copy that lies beyond this face
 };
 
+/// A fundamental domain: where each tetrahedron lies, and how its open faces are paired.
 template <class Scalar>
 struct Domain {
   std::vector<VertexTypes> types;              ///< per tetrahedron

@@ -21,6 +21,7 @@ struct Complex {
   Scalar im = Scalar(0);
 };
 
+/// z -> (a z + b) / (c z + d), with the conjugate of z where it reverses orientation.
 template <class Scalar>
 struct Mobius {
   Complex<Scalar> a{Scalar(1)}, b, c, d{Scalar(1)};

@@ -3,13 +3,12 @@
 
 /// One (partially) truncated tetrahedron, put into hyperbolic space as in the dissertation's figure 4.12.
 ///
-///        | vertex 1 above          In the upper half space the edge 01 lies on the z axis; face 3 (0,1,2) in
-///        |   .                     the vertical plane y = 0 on the side x > 0, face 2 (0,1,3) in the
-///        vertical |    2, in y = 0          plane at the angle theta_01 from it, on the side y > 0. The
-///        truncation at 0
-///     ___|___                      is the unit hemisphere, that at 1 the hemisphere of radius e^l: circles
-///    /   0   \  radius 1           around 0 at infinity. An ideal vertex 0 has its horosphere, a finite one
-///                                  its point, at height 1.
+///        | vertex 1 above         In the upper half space the edge 01 lies on the z axis; face 3 (0,1,2) in
+///        |                        the vertical plane y = 0 on the side x > 0, face 2 (0,1,3) in the vertical
+///      .-+-.       . 2, in y = 0  plane at the angle theta_01 from it, on the side y > 0. The truncation at
+///     /  |  \                     0 is the unit hemisphere, that at 1 the hemisphere of radius e^l: circles
+///    |   0   |  radius 1          around 0 at infinity. An ideal vertex 0 has its horosphere, a finite one
+///                                 its point, at height 1.
 ///
 /// Everything else follows from the four vectors: faces are the planes through three of them, truncations the
 /// polar planes of the hyperideal ones. Source: Yin, section 4.4.2.

@@ -63,6 +63,7 @@ struct HyperbolizeOptions {
   bool keep_history = true;
 };
 
+/// The metric that was found, or how far the search came.
 template <class Scalar>
 struct Hyperbolization {
   Outcome outcome = Outcome::invalid;

@@ -15,6 +15,7 @@
 
 namespace tetrarch::mesh {
 
+/// One loop of the boundary, and its size.
 struct BoundaryLoop {
   /// The ends from which the sides are walked through, as `boundary_curves` has them.
   std::vector<SideEnd> sides;

@@ -3,14 +3,15 @@
 
 /// Canonical loops: 2g loops through a base point that open a closed surface of genus g to a polygon.
 ///
+///            3              The boundary of the polygon, which lies to its left, reads
+///          .----.             1 2 -1 -2 3 4 -3 -4 ...
+///      4  /      \  -2
+///        .        .         All 4g corners are copies of the base point; the loops meet nowhere else, and
+///     -3 |        | -1      none meets itself. Side k runs along loop k, side -k back along its other bank.
+///        .        .
+///     -4  \      /  2       (Drawn: genus 2.)
+///          '----'
 ///            1
-///         ________          The boundary of the polygon, which lies to its left, reads
-///     -4 /        \ 2         1 2 -1 -2 3 4 -3 -4 ...
-///       /          \        All 4g corners are copies of the base point; the loops meet nowhere else, and
-///       none
-///    -3 \          / -1     meets itself. Side k runs along loop k, side -k back along its other bank.
-///        \________/
-///      4            -2 ...
 ///
 /// Handle by handle, in the surface cut open so far, whose boundary is one curve of finished commutators:
 ///   1. The discrete cut locus of a corner x between two commutators: grow a disk from x, prune the edges
@@ -37,7 +38,7 @@ struct CanonicalLoops {
   int face_splits = 0;
 };
 
-/// Marks canonical loops 1 .. 2g on a closed oriented surface without marks, through vertex `base`; without
+/// Marks canonical loops 1 to 2g on a closed oriented surface without marks, through vertex `base`; without
 /// one, through a vertex where loops are short. Throws `PreconditionError` unless the surface is connected,
 /// closed, unmarked, of positive genus, and no mates are turned. O(g^2 n log n) for n triangles in the end.
 CanonicalLoops mark_canonical_loops(MarkedSurface& surface, int base = -1);

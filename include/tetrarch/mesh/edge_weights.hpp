@@ -3,12 +3,12 @@
 
 /// The cotangent Laplacian of a solid: how much of a function flows along each edge.
 ///
-///            l             Linear on each tetrahedron, f has the Dirichlet energy sum k_ij (f(i) - f(j))^2 /
-///            2
-///           /|\            over all edges. The weight k_ij is 1/6 sum of l_kl cot(theta_kl) over the
+///            l             Linear on each tetrahedron, f has the Dirichlet energy sum k_ij (f(i) - f(j))^2
+///           /|\            over all edges, halved. The weight k_ij is 1/6 sum of l_kl cot(theta_kl) over the
 ///          / | \           tetrahedra at ij, kl the edge opposite to it and theta_kl the dihedral angle at
 ///         i--|--j          kl: where the faces that meet there enclose more than a right angle, the part is
 ///          \ | /           negative. (The dissertation takes the length of ij, which is wrong.)
+///           \|/
 ///            k
 ///
 /// (L f)(i) = sum of k_ij (f(i) - f(j)) is what flows out of vertex i: 0 where f is harmonic.

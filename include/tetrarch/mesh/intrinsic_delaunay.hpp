@@ -4,12 +4,11 @@
 /// The intrinsic Delaunay triangulation of a triangle mesh: the same surface and the same vertices, other
 /// edges, which run straight across the triangles of the mesh.
 ///
-///        a                 a           An edge is flipped where the two angles opposite have more than half
-///        a
-///       / \               /|\          turn together, that is, where its cotangents add up to less than 0;
-///      u---v     -->     u | v         lengths are all that the new edge needs. In the end no weight of the
-///       \ /               \|/          Laplacian is negative, so harmonic functions have no extrema inside,
-///        b                 b           however thin the triangles of the mesh are.
+///        a                 a           An edge is flipped where the two angles opposite have more than
+///       / \               /|\          half a turn together, that is, where its cotangents add up to less
+///      u---v     -->     u | v         than 0; lengths are all that the new edge needs. In the end no weight
+///       \ /               \|/          of the Laplacian is negative, so harmonic functions have no extrema
+///        b                 b           inside, however thin the triangles of the mesh are.
 ///
 /// Of all triangulations on these vertices this one gives linear functions the least Dirichlet energy.
 /// Source: Fisher, Springborn, Schroeder and Bobenko, "An algorithm for the construction of intrinsic
@@ -21,6 +20,7 @@
 
 namespace tetrarch::mesh {
 
+/// Triangles that are known by the lengths of their sides.
 struct IntrinsicTriangulation {
   Surface surface;            ///< may have loops and double edges
   std::vector<double> length; ///< of each side

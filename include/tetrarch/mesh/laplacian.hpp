@@ -4,11 +4,12 @@
 /// The cotangent Laplacian: how much of a function flows out of each vertex.
 ///
 ///            v                 Linear on each triangle, f has the Dirichlet energy sum w(s) (f(v) - f(u))^2
-///          / | \               over all sides s = uv, where w(s) is half the cotangent of the angle
-///          opposite.
-///         a--|--b              (L f)(v) = sum of (w(s) + w(mate)) (f(v) - f(u)) over the edges at v is its
-///          \ | /               gradient, halved, with the sign of -Laplace. Where f is harmonic around v it
-///            u                 is 0; summed over a boundary loop it is the flux of f out through the loop.
+///           /|\                over all sides s = uv; w(s) is half the cotangent of the angle opposite, at
+///          / | \               a or b. (L f)(v) = sum of (w(s) + w(mate)) (f(v) - f(u)) over the edges at
+///         a  |  b              v is its gradient, halved, with the sign of -Laplace. Where f is harmonic
+///          \ | /               around v it is 0; summed over a boundary loop it is the flux of f out through
+///           \|/                the loop.
+///            u
 ///
 /// L is symmetric and positive semidefinite with the constants as its kernel, whatever the triangles; it need
 /// not be an M-matrix. Source: Pinkall and Polthier, "Computing discrete minimal surfaces and their

@@ -21,6 +21,7 @@ struct Split {
   std::array<int, 3> of{-1, -1, -1}; ///< the third is -1 for an edge
 };
 
+/// A surface with curves on it along which it is cut.
 struct MarkedSurface {
   Surface surface;
   std::vector<std::array<double, 3>> points; ///< of each vertex, or empty for a surface without place

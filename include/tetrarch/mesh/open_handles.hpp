@@ -3,12 +3,11 @@
 
 /// Handles opened: g loops along which a surface of genus g is cut to a sphere with 2g holes more.
 ///
-///     .-----.-----.         .-----.-----.      Handle by handle, in the surface cut open so far: a short
-///     loop
-///    /  __  |  __  \       /  __ | | __  \     that does not cut it in two and touches neither boundary nor
-///   |  (__) | (__)  |  =>  | (__)| |(__) |     earlier loops. Its two banks become boundary loops.
-///    \   |  |  |   /        \ / \ | | / \/
-///     `--'-----'--'         (two loops, one through either hole, open a double torus)
+///      .-------------.        .-------------.     Handle by handle, in the surface cut open so far: a
+///     /   __     __   \      /   __     __   \    short loop that does not cut it in two and touches
+///    |---(__)   (__)---| => |===(__)   (__)===|   neither boundary nor earlier loops. Its two banks
+///     \               /      \               /    become boundary loops. (Drawn: a double torus, opened
+///      '-------------'        '-------------'     by a loop around the tube beside either hole.)
 ///
 /// A loop is the shortest that consists of two shortest paths from a root and an edge. The edge is one that
 /// neither the tree of these paths nor a dual tree takes: then a dual loop crosses it and nothing else of the

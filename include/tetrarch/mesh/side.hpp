@@ -5,10 +5,9 @@
 ///
 ///            2
 ///           / \          Side s of a triangle lies opposite corner s and runs from corner s+1 to corner s+2
-///    side 1/   \side 0   (mod 3): counterclockwise. It is what others call a half-edge.
+///   side 1 /   \ side 0  (mod 3): counterclockwise. It is what others call a half-edge.
 ///         / --> \        An end of a side is a corner seen from one of the two sides that meet there;
-///         `pivot`
-///        0-------1       goes to the other.
+///        0-------1       `pivot` goes to the other.
 ///          side 2
 
 #include <array>

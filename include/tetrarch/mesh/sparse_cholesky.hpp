@@ -23,6 +23,7 @@ struct SymmetricMatrix {
   int size() const { return static_cast<int>(first.size()) - 1; }
 };
 
+/// The Cholesky factorisation of a sparse symmetric matrix.
 class SparseCholesky {
 public:
   /// Analyses the pattern, whatever the values.

@@ -22,6 +22,7 @@
 
 namespace tetrarch::mesh {
 
+/// Triangles by their vertices, with their mates.
 class Surface {
 public:
   using Triangle = std::array<int, 3>;

@@ -21,6 +21,7 @@
 
 namespace tetrarch::mesh {
 
+/// Tetrahedra with coordinates.
 struct TetMesh {
   std::vector<std::array<double, 3>> points;
   std::vector<std::array<int, 4>> tetrahedra;

@@ -20,6 +20,7 @@
 
 namespace tetrarch::mesh {
 
+/// A surface with coordinates.
 struct TriangleMesh {
   std::vector<std::array<double, 3>> points;
   Surface surface;

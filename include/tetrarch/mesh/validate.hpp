@@ -62,6 +62,7 @@ enum class Severity : std::uint8_t { fatal, repairable, remark };
 std::string_view name_of(Kind kind);
 Severity severity_of(Kind kind);
 
+/// One thing that is wrong or remarkable, and where.
 struct Finding {
   Kind kind;
   long long number = 0; ///< of the element or vertex, as the file counts; 0 for the mesh as a whole
@@ -72,6 +73,7 @@ struct Finding {
 /// Where the file says what the finding is about.
 Place place_of(const Finding& finding, const format::Soup& soup);
 
+/// All findings in a soup.
 struct Report {
   /// By kind in the order of `Kind`, then by element; of each kind at most as many as were asked for.
   std::vector<Finding> findings;

@@ -25,6 +25,7 @@ namespace tetrarch::moves {
 
 using Corners = std::array<int, 4>;
 
+/// A tetrahedron, and the corners of the ball at which its vertices sit.
 struct Placed {
   int tet = -1;
   Corners corners{};

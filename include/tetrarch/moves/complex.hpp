@@ -57,6 +57,7 @@ struct Change {
 /// Walks around an edge; the usual valences need no heap.
 using Ring = boost::container::small_vector<Walk, 32>;
 
+/// The mutable form of a triangulation.
 class Complex {
 public:
   explicit Complex(const Triangulation& tri);

@@ -9,6 +9,8 @@
 ///     merge 17 0 2          vertex 0 of tetrahedron 17 into its vertex 2
 ///     two_three 4 1         across face 1;  three_two 4 0 1: around the edge from 0 to 1
 ///     four_four 4 0 1 1     around that edge, axis 1;  zero_two_edge 4 0 1 2: two left steps apart
+///
+/// 1-4, 4-1, 2-3, 3-2, 4-4, 2-0, 0-2 and 2-1 are understood as well.
 
 #include "tetrarch/moves/complex.hpp"
 #include "tetrarch/moves/obstacle.hpp"
@@ -41,6 +43,7 @@ enum class MoveKind : std::uint8_t {
 
 inline constexpr int move_kind_count = 17;
 
+/// A move as a value.
 struct Move {
   MoveKind kind = MoveKind::merge;
   int tet = -1;
@@ -58,6 +61,9 @@ using MoveLog = std::vector<Move>;
 
 /// The move that a line spells. Throws InputError that says what was found and what was expected.
 Move parse_move(std::string_view line);
+
+/// Whether a word is the name of the move, long or in digits: "2-0" is either of two kinds.
+bool is_called(const Move& move, std::string_view word);
 
 /// Asking and doing. Throws PreconditionError if there is no such tetrahedron, or a local number is out of
 /// range. Costs as documented with the moves; asking about a cone copies the complex.

@@ -4,10 +4,9 @@
 /// Where a field has no direction: fibres part or end there, and the solid is no product along it.
 ///
 ///        + + -         A vertex is regular if those of its link that are lower hang together, and so do
-///        those
-///       -  o  +        that are higher; on a wall, both also in the link on the wall. Elsewhere there is an
-///        - + +         extremum or, as here, a saddle. Of vertices with equal w the one of lesser number is
-///                      lower, which makes no critical vertices of its own.
+///       -  o  +        those that are higher; on a wall, both also in the link on the wall. Elsewhere there
+///        - + +         is an extremum or, as here, a saddle. Of vertices with equal w the one of lesser
+///                      number is lower, which makes no critical vertices of its own.
 ///
 /// A field without critical places is a proof that the solid is a product, floor x interval. With some it is
 /// no proof of the contrary: another mesh, partition or weights may be without. Source: Banchoff, "Critical

@@ -50,6 +50,7 @@ enum class FiberEnd : std::uint8_t {
   budget ///< too many steps
 };
 
+/// Where a fibre ends, and how.
 struct Fiber {
   FiberEnd end = FiberEnd::stuck;
   Location at; ///< where it ends; on a base only the weights of vertices on the base are not 0

@@ -27,6 +27,7 @@ struct FieldOptions {
   double tolerance = 1e-12; ///< of the residual of conjugate gradients, in terms of the right-hand side
 };
 
+/// The harmonic function w, and how well it solves its equations.
 struct HarmonicField {
   std::vector<double> w;    ///< of each vertex
   double residual = 0;      ///< the greatest flow that is left at a free vertex, in terms of the whole flow

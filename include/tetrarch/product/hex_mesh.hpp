@@ -21,6 +21,7 @@ namespace tetrarch::product {
 using Point = std::array<double, 3>;
 using Hexahedron = std::array<int, 8>;
 
+/// Hexahedra with coordinates.
 struct HexMesh {
   std::vector<Point> points;
   std::vector<Hexahedron> hexahedra;

@@ -23,6 +23,7 @@ inline constexpr int floor_patch = 0;
 inline constexpr int ceiling_patch = 1;
 inline constexpr int first_wall = 2;
 
+/// Which triangles of the boundary are floor, ceiling and walls.
 struct Partition {
   std::vector<int> patch; ///< of each triangle of the solid's boundary
   int walls = 0;

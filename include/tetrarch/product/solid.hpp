@@ -20,6 +20,7 @@ namespace tetrarch::product {
 
 using Point = std::array<double, 3>;
 
+/// A mesh of a solid, with its gluings and its boundary.
 struct Solid {
   mesh::TetMesh mesh;
   Triangulation gluings;        ///< tetrahedron t of the mesh is tetrahedron t, its v-th point vertex v

@@ -10,7 +10,7 @@
 ///                       .-----------.   .-----------.
 ///                      / # # #  # # |   | # # # # # |    a chessboard, say, in texture coordinates; where
 ///                     |  # # (#) # /    | # #(#)# # |    the map is conformal its squares stay squares,
-///                      \_# # #__#_/    | # # # # # |    of whatever size
+///                      \_# # #__#_/     | # # # # # |    of whatever size
 ///                        surface           domain
 ///
 ///                   or the boundary of a solid beside that of its domain, with fibres, a field, and patches

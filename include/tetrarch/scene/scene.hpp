@@ -86,6 +86,7 @@ struct Label {
   std::string text;
 };
 
+/// All that is to be seen.
 struct Scene {
   std::string title;
   std::vector<Surface> surfaces;

@@ -47,6 +47,7 @@ struct Circle {
 /// By curve: the outer circle, the inner one, then the slits in their order.
 using Curves = std::vector<std::vector<std::complex<double>>>;
 
+/// The circles that the slits become.
 struct CircularDomain {
   std::vector<Circle> circles;
   Curves curves; ///< where the samples come to lie

@@ -5,14 +5,14 @@
 ///
 ///     *eta(k) = sum of a_i eta(i) + b_i tau(i) over the loops i > 0
 ///
-/// by periods:  b_i = flux(i, k), a = 0. The closed form with the periods that *eta(k) must have and with
-///              natural boundary conditions. No rotated form is integrated.
-/// by wedges:   eta(k) is turned by a right angle in each triangle, and a, b are such that the result has the
-///              same integral of its wedge product with every eta(j) and tau(j). Source: Yin, section 2.3.1.
+///     by periods   b_i = flux(i, k), a = 0. The closed form with the periods that *eta(k) must have and with
+///                  natural boundary conditions. No rotated form is integrated.
+///     by wedges    eta(k) is turned by a right angle in each triangle, and a, b are such that the result has
+///                  the same integral of its wedge product with every eta(j) and tau(j).
 ///
 /// On this basis the wedge system gives the same b, and an a that is 0 for two loops; for more loops it is a
 /// discretisation error, as tau(i) ^ tau(j) has integral 0 on smooth surfaces only. So the first route is
-/// used for maps, and the second one tells how far it can be trusted.
+/// used for maps, and the second one tells how far it can be trusted. Source: Yin, section 2.3.1.
 
 #include "tetrarch/slit/one_forms.hpp"
 

@@ -5,12 +5,9 @@
 ///
 ///            2            On a triangle the three add up to 0, so there the form is the differential of a
 ///       b   / \           linear function; mates have opposite numbers. That is all a closed form is:
-///       locally
-///          /   \          df, globally perhaps not, as going round a loop may not bring f back.
-///         0-----1
-///            a            wedge: (a b' - b a') / 2 on this triangle, for two forms with a along 01, b along
-///                         02; the inner product weighs each side by half the cotangent of the angle
-///                         opposite.
+///          /   \          locally df, globally perhaps not, as going round a loop may not bring f back.
+///         0-----1         wedge: (a b' - b a') / 2 on this triangle, for two forms with a along 01, b
+///            a            along 02; the inner product weighs each side by half the cotangent opposite.
 ///
 /// The surface is oriented: no mates are turned.
 

@@ -6,9 +6,8 @@
 ///
 ///      .-----------.      potential(k): harmonic, 1 on loop k, 0 on the others; eta(k) is its differential.
 ///     /  .-.   .-.  \     tau(k): closed and harmonic, tangent to the boundary, with period 1 around loop k
-///    |   |1|   |2|   |    and -1 around loop 0: a jump of 1 across a strip of triangles from loop 0 to loop
-///    k,
-///     \  '-'   '-' 0/     smoothed by the differential of a function, lag(k). tau(0) is 0.
+///    |   |1|   |2|   |    and -1 around loop 0: a jump of 1 across a strip of triangles from loop 0 to
+///     \  '-'   '-' 0/     loop k, smoothed by the differential of a function, lag(k). tau(0) is 0.
 ///      '-----------'
 ///
 /// Loops are those of `mesh::boundary_loops`; along each the surface lies to the left, so periods around all

@@ -4,11 +4,11 @@
 /// Quad remeshing: the lines of constant height and of constant angle, drawn on the surface.
 ///
 ///      ._________________.     On the cylinder of a slit map, a rectangular grid. One horizontal line runs
-///      at
-///      |__|__|___|__|__|_|     the height of every slit, vertical ones through both of its ends, one more at
-///      |__|__S===E__|__|_|     least between them; other lines fill what is left as evenly as that allows.
-///      |__|__|___|__|__|_|     Where they cross is a vertex; strictly between the ends of a slit there are
-///      0               2 pi    two, one on each bank. So the boundary of the surface is made of lines.
+///      |__|__|_|_|__|__|_|     at the height of every slit, vertical ones through both of its ends, one more
+///      |__|__S=+=E__|__|_|     at least between them; other lines fill what is left as evenly as that
+///      |__|__|_|_|__|__|_|     allows. Where they cross is a vertex; strictly between the ends of a slit
+///      0               2 pi    there are two, one on each bank. So the boundary of the surface is made of
+///                              lines.
 ///
 /// As the map is conformal, quads are squares nearly, on smooth surfaces the more so the finer the triangles
 /// and the quads; not so at the ends of slits, where four right angles make half a turn on the surface.

@@ -16,6 +16,7 @@
 
 namespace tetrarch::slit {
 
+/// What a map does to the triangles.
 struct Distortion {
   /// Of each triangle: the ratio of the axes, at least 1; 0 for flipped triangles and ears.
   std::vector<double> quasi_conformal;

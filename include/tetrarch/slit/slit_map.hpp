@@ -3,15 +3,15 @@
 
 /// Slit maps: a sphere with holes, laid onto a cylinder, a rectangle or a ring with slits.
 ///
-///      .-------.  height      ._______.             .-----------.      The outer loop becomes the unit
-///      circle,
-///      |\_____/|  = modulus   |       |  inner     /    .--      \     the inner loop the circle of radius
-///      |  --   |              |  --   |           |    | (O)      |    exp(-modulus), every other loop an
-///      arc
-///      |\_____/|  0           |_______|  outer     \         --' /     about the origin that is run through
-///      to
-///      '-------'              0     2 pi            '-----------'      and fro: its slit.
-///      cylindric              parallel              concentric
+///      .-------.  height       _______                .-----------.
+///      |'-----'|  = modulus   |       |  inner       /   .--       \   a slit
+///      |  --   |              |  --   |             |      (O)      |  the inner circle
+///      |.-----.|  0           |_______|  outer       \       --'   /
+///      '-------'              0     2 pi              '-----------'
+///      cylindric              parallel                 concentric
+///
+/// The outer loop becomes the unit circle, the inner loop the circle of radius exp(-modulus), every other
+/// loop an arc about the origin that is run through to and fro: its slit.
 ///
 /// All three are one multivalued function w = log z = log_radius + i angle. Its real part is constant on
 /// every loop; its imaginary part grows by 2 pi around the outer loop, by -2 pi around the inner one and by 0
@@ -42,6 +42,7 @@ struct Slit {
   int turns = 0;
 };
 
+/// The map w = log_radius + i angle, and the slits.
 struct SlitMap {
   int outer = 0;
   int inner = 0;
