@@ -2,6 +2,9 @@
 #include "tetrarch/product/automatic.hpp"
 
 #include "tetrarch/core/error.hpp"
+#include "tetrarch/product/critical.hpp"
+#include "tetrarch/product/field.hpp"
+#include "tetrarch/product/product.hpp"
 
 #include "homology.hpp"
 #include "levels.hpp"
@@ -276,19 +279,16 @@ std::optional<Automatic> by_axes(const Search& search, const Progress& progress)
 // Tunnels.
 //
 
-std::optional<Automatic> by_tunnels(const Search& search, const Progress& progress) {
-  progress.step("tunnels");
-  if (!search.homology) return {};
-  std::optional<Tunnel> found = tunnel(search.solid, *search.homology);
-  if (!found) return {};
-  Levelled at{search.solid, std::move(found->values)};
+/// What a tunnel's function makes of the solid, if that is a partition.
+std::optional<Automatic> between_levels(const Search& search, Tunnel found) {
+  Levelled at{search.solid, std::move(found.values)};
   if (search.options.smooth_rims)
-    for (const double level : found->levels) at = split_at_level(at.solid, std::move(at.values), level);
+    for (const double level : found.levels) at = split_at_level(at.solid, std::move(at.values), level);
   std::vector<int> base;
   base.reserve(at.values.size());
   for (const auto& [a, b, c] : at.values) {
     const double mean = (a + b + c) / 3;
-    const auto& l = found->levels;
+    const auto& l = found.levels;
     base.push_back(mean > l[2] && mean < l[3]   ? floor_patch
                    : mean > l[0] && mean < l[1] ? ceiling_patch
                                                 : -1);
@@ -297,7 +297,36 @@ std::optional<Automatic> by_tunnels(const Search& search, const Progress& progre
   std::optional<Partition> patches = accepted(at.solid, base, {});
   if (!patches) return {};
   const double value = score(at.solid, *patches);
-  return Automatic{std::move(at.solid), *std::move(patches), value, found->how};
+  return Automatic{std::move(at.solid), *std::move(patches), value, found.how};
+}
+
+/// How many places the field has that has no extrema inside.
+std::size_t critical_count(const Automatic& found, const Progress& progress) {
+  const Prepared prepared = product::prepared(found.solid, found.partition);
+  FieldOptions options;
+  options.clamped = true;
+  const HarmonicField field = harmonic_field(prepared.solid, prepared.partition, options, progress);
+  const CriticalPlaces places = critical_places(prepared.solid, prepared.partition, field.w);
+  return places.flat.size() + places.vertices.size();
+}
+
+std::optional<Automatic> by_tunnels(const Search& search, const Progress& progress) {
+  progress.step("tunnels");
+  if (!search.homology) return {};
+  const std::optional<TunnelLoop> around = tunnel_loop(search.solid, *search.homology);
+  if (!around) return {};
+  std::optional<Automatic> best;
+  std::size_t fewest = 0;
+  for (const int branches : search.options.branches) {
+    std::optional<Automatic> found = between_levels(search, tunnel(search.solid, *around, branches));
+    if (!found) continue;
+    const std::size_t critical = critical_count(*found, progress);
+    if (best && critical >= fewest) continue;
+    best = std::move(found);
+    fewest = critical;
+    if (critical == 0) break;
+  }
+  return best;
 }
 
 } // namespace

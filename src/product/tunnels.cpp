@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "tunnels.hpp"
 
+#include "branches.hpp"
 #include "patches.hpp"
 #include "vectors.hpp"
 
 #include "tetrarch/core/error.hpp"
-#include "tetrarch/mesh/cuts.hpp"
 #include "tetrarch/mesh/distance.hpp"
 #include "tetrarch/mesh/laplacian.hpp"
 
@@ -83,41 +83,78 @@ std::optional<Candidate> shortest_loop(const MarkedSurface& surface, const First
   return best;
 }
 
-/// On the boundary cut along the loop, 1 on one bank and 0 on the other, by corners.
-CornerValues harmonic_between_banks(MarkedSurface surface, const Loop& loop) {
-  for (const SideEnd e : loop) mesh::set_mark(surface, e.side, e.at_start ? 1 : -1);
-  const std::vector<double> weight = mesh::half_cotangents({surface.points, surface.surface});
-  const mesh::Surface ring = mesh::cut_open(surface);
-  std::vector<char> held(static_cast<std::size_t>(ring.vertex_count()), 0);
+/// The boundary cut open along the loop.
+mesh::TriangleMesh ring_of(const TunnelLoop& around) {
+  MarkedSurface surface = around.surface;
+  for (const SideEnd e : around.loop) mesh::set_mark(surface, e.side, e.at_start ? 1 : -1);
+  mesh::TriangleMesh ring{{}, mesh::cut_open(surface)};
+  ring.points.resize(static_cast<std::size_t>(ring.surface.vertex_count()));
+  for (int t = 0; t < ring.surface.triangle_count(); ++t)
+    for (int c = 0; c < 3; ++c)
+      ring.points[ring.surface.corners(t)[c]] = surface.points[surface.surface.corners(t)[c]];
+  return ring;
+}
+
+/// 1 on one bank and 0 on the other; along the trees that start there it goes down to 0.8 and up to 0.2
+/// within half a loop's length; harmonic elsewhere. By corners.
+CornerValues harmonic_between_trees(const mesh::TriangleMesh& ring, double length, int branches) {
+  constexpr double on_trees = 0.2; ///< from the value on their bank
+  std::array<std::vector<int>, 2> banks;
+  const auto curves = mesh::boundary_curves(ring.surface);
+  for (const int k : {0, 1})
+    for (const SideEnd e : curves[k]) banks[k].push_back(ring.surface.vertex(e));
+  const std::array<std::vector<int>, 2> trees = opposite_trees(ring, banks, branches);
+  std::vector<char> held(ring.points.size(), 0);
   std::vector<double> data(held.size(), 0.0);
-  double value = 1;
-  for (const auto& bank : mesh::boundary_curves(ring)) {
-    for (const SideEnd e : bank) {
-      held[ring.vertex(e)] = 1;
-      data[ring.vertex(e)] = value;
+  for (const int k : {0, 1}) {
+    const std::vector<double> distance = distances(ring, banks[k]);
+    for (const int v : trees[k]) {
+      const double away = on_trees * std::min(1.0, distance[v] / (length / 2));
+      held[v] = 1;
+      data[v] = k == 0 ? 1 - away : away;
     }
-    value = 0;
   }
-  const std::vector<double> f = mesh::LaplaceSolver(ring, weight, held).solve({data}).front();
+  const std::vector<double> weight = mesh::half_cotangents(ring);
+  const std::vector<double> f = mesh::LaplaceSolver(ring.surface, weight, held).solve({data}).front();
   CornerValues values;
-  values.reserve(ring.triangles().size());
-  for (const auto& [a, b, c] : ring.triangles()) values.push_back({f[a], f[b], f[c]});
+  values.reserve(ring.surface.triangles().size());
+  for (const auto& [a, b, c] : ring.surface.triangles()) values.push_back({f[a], f[b], f[c]});
   return values;
 }
 
-/// The values below which these areas lie, which increase.
-std::array<double, 4> quantiles(const Solid& solid, const CornerValues& values,
-                                const std::array<double, 4>& areas_below) {
+/// Of each triangle its value and its area, by value.
+std::vector<std::pair<double, double>> sorted_by_value(const Solid& solid, const CornerValues& values) {
   const std::vector<Point> areas = vector_areas(solid);
-  std::vector<std::pair<double, double>> by_value; // and area
-  by_value.reserve(values.size());
+  std::vector<std::pair<double, double>> sorted;
+  sorted.reserve(values.size());
   for (std::size_t t = 0; t < values.size(); ++t)
-    by_value.emplace_back((values[t][0] + values[t][1] + values[t][2]) / 3, vectors::norm(areas[t]));
-  std::sort(by_value.begin(), by_value.end());
+    sorted.emplace_back((values[t][0] + values[t][1] + values[t][2]) / 3, vectors::norm(areas[t]));
+  std::sort(sorted.begin(), sorted.end());
+  return sorted;
+}
+
+/// The least area of so many triangles at the beginning.
+double area_of(int count, auto first, auto end) {
+  double area = 0;
+  for (; count > 0 && first != end; --count, ++first) area += first->second;
+  return area;
+}
+
+/// Where the inner wall ends, the outer begins and ends, the inner begins.
+std::array<double, 4> levels_of(const Solid& solid, const CornerValues& values, double length) {
+  constexpr int fewest =
+      40; ///< triangles of the inner wall along each bank, so that it has a rim to speak of
+  const auto sorted = sorted_by_value(solid, values);
+  double whole = 0;
+  for (const auto& [value, area] : sorted) whole += area;
+  const auto band = [&](double least) { return std::min(0.1 * whole, std::max(least, length * length / 8)); };
+  const std::array<double, 4> areas_below{band(area_of(fewest, sorted.begin(), sorted.end())), 0.4 * whole,
+                                          0.6 * whole,
+                                          whole - band(area_of(fewest, sorted.rbegin(), sorted.rend()))};
   std::array<double, 4> levels{};
   double below = 0;
   std::size_t next = 0;
-  for (const auto& [value, area] : by_value) {
+  for (const auto& [value, area] : sorted) {
     below += area;
     while (next < levels.size() && below > areas_below[next]) levels[next++] = value;
   }
@@ -126,23 +163,24 @@ std::array<double, 4> quantiles(const Solid& solid, const CornerValues& values,
 
 } // namespace
 
-std::optional<Tunnel> tunnel(const Solid& solid, const FirstHomology& homology) {
+std::optional<TunnelLoop> tunnel_loop(const Solid& solid, const FirstHomology& homology) {
   std::vector<Point> points;
   points.reserve(solid.vertex.size());
   for (const int v : solid.vertex) points.push_back(solid.point(v));
-  const MarkedSurface surface(solid.boundary, std::move(points));
+  MarkedSurface surface(solid.boundary, std::move(points));
   const std::optional<Candidate> best = shortest_loop(surface, homology);
   if (!best) return {};
-  Tunnel found;
-  found.values = harmonic_between_banks(surface, best->loop);
+  return TunnelLoop{std::move(surface), best->loop, best->length};
+}
 
-  double whole = 0;
-  for (const Point& a : vector_areas(solid)) whole += vectors::norm(a);
-  const double band = std::min(0.1 * whole, best->length * best->length / 8);
-  found.levels = quantiles(solid, found.values, {band, 0.4 * whole, 0.6 * whole, whole - band});
-  found.how = "around the tunnel of the loop of " + std::to_string(best->loop.size()) +
+Tunnel tunnel(const Solid& solid, const TunnelLoop& around, int branches) {
+  Tunnel found;
+  found.values = harmonic_between_trees(ring_of(around), around.length, branches);
+  found.levels = levels_of(solid, found.values, around.length);
+  found.how = "around the tunnel of the loop of " + std::to_string(around.loop.size()) +
               " edges through vertex " +
-              std::to_string(solid.vertex[surface.surface.vertex(best->loop.front())]);
+              std::to_string(solid.vertex[around.surface.surface.vertex(around.loop.front())]) +
+              (branches > 0 ? ", with " + std::to_string(branches) + " branches" : "");
   return found;
 }
 

@@ -9,16 +9,30 @@
 ///      |--(  loop   )-| wall    the floor, where it is low the ceiling; both bands are the inner wall, and
 ///      |   "-.___.-"  |         what lies halfway between is the outer one.
 ///       \____floor___/
+///
+/// Limbs would lie in one of both alone; branches.hpp sends both into them: what their trees reach is held
+/// at 0.8 and 0.2.
 
 #include "homology.hpp"
 #include "levels.hpp"
 
+#include "tetrarch/mesh/cuts.hpp"
 #include <array>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace tetrarch::product {
+
+struct TunnelLoop {
+  mesh::MarkedSurface surface; ///< the boundary
+  mesh::Loop loop;
+  double length = 0;
+};
+
+/// None where no short loop generates the homology, which one loop does only for one handle. O(n log n) for
+/// each of some roots.
+[[nodiscard]] std::optional<TunnelLoop> tunnel_loop(const Solid& solid, const FirstHomology& homology);
 
 struct Tunnel {
   CornerValues values; ///< of the harmonic function
@@ -29,8 +43,7 @@ struct Tunnel {
   std::string how;
 };
 
-/// None where no short loop generates the homology, which one loop does only for one handle. O(n log n) for
-/// each of some roots, and a sparse factorisation.
-[[nodiscard]] std::optional<Tunnel> tunnel(const Solid& solid, const FirstHomology& homology);
+/// The function for so many branches. A sparse factorisation, and O(n log n) for each branch.
+Tunnel tunnel(const Solid& solid, const TunnelLoop& around, int branches);
 
 } // namespace tetrarch::product

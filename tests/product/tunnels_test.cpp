@@ -2,34 +2,53 @@
 #include "src/product/tunnels.hpp"
 
 #include "product/solids.hpp"
+#include "src/product/branches.hpp"
+#include "src/product/patches.hpp"
+#include "support/solids.hpp"
+#include "tetrarch/product/critical.hpp"
+#include "tetrarch/product/field.hpp"
+#include "tetrarch/product/product.hpp"
 
 #include <algorithm>
 #include <catch2/catch.hpp>
+#include <cmath>
+#include <cstdlib>
 
 using namespace tetrarch;
 using namespace tetrarch::product;
+
+namespace {
+
+std::vector<int> bases_of(const Tunnel& found) {
+  const auto& [inner, ceiling, floor, inner_again] = found.levels;
+  std::vector<int> base;
+  base.reserve(found.values.size());
+  for (const auto& [a, b, c] : found.values) {
+    const double mean = (a + b + c) / 3;
+    base.push_back(mean > floor && mean < inner_again ? 0 : mean > inner && mean < ceiling ? 1 : -1);
+  }
+  return base;
+}
+
+} // namespace
 
 TEST_CASE("The tunnel of a pipe is found, and the function between its banks", "[tunnels]") {
   // Low and wide, so that loops through the hole, which bound in the solid, are longer than loops around it;
   // and high and thin-walled, where they are shorter.
   for (const auto& from : {support::pipe(0.2, 1, 6), support::pipe(0.8, 0.2, 6)}) {
     const Solid whole = solid(from.mesh);
-    const auto found = tunnel(whole, FirstHomology(whole));
-    REQUIRE(found);
-    REQUIRE(std::is_sorted(found->levels.begin(), found->levels.end()));
-    std::vector<int> base;
+    const auto loop = tunnel_loop(whole, FirstHomology(whole));
+    REQUIRE(loop);
+    const Tunnel found = tunnel(whole, *loop, 0);
+    REQUIRE(std::is_sorted(found.levels.begin(), found.levels.end()));
     double least = 1;
     double greatest = 0;
-    for (const auto& v : found->values) {
+    for (const auto& v : found.values)
       for (const double x : v) {
         least = std::min(least, x);
         greatest = std::max(greatest, x);
       }
-      const double mean = (v[0] + v[1] + v[2]) / 3;
-      base.push_back(mean > found->levels[2] && mean < found->levels[3]   ? 0
-                     : mean > found->levels[0] && mean < found->levels[1] ? 1
-                                                                          : -1);
-    }
+    const std::vector<int> base = bases_of(found);
     CHECK(least == 0);
     CHECK(greatest == 1);
     // Both bases have two fifths of the area but for a band, so about as many triangles.
@@ -42,5 +61,95 @@ TEST_CASE("The tunnel of a pipe is found, and the function between its banks", "
 
 TEST_CASE("Of two handles no loop generates the homology alone", "[tunnels]") {
   const Solid whole = solid(support::plate(2, 4, 2).mesh);
-  CHECK_FALSE(tunnel(whole, FirstHomology(whole)));
+  CHECK_FALSE(tunnel_loop(whole, FirstHomology(whole)));
+}
+
+namespace {
+
+/// A square ring of cubes, a bar standing on it and another one hanging from it.
+Solid ring_with_limbs(int length) {
+  constexpr int ring = 9;
+  support::Voxels cubes({ring, ring, 2 + 2 * length});
+  for (int x = 0; x < ring; ++x)
+    for (int y = 0; y < ring; ++y)
+      for (int z = 0; z < 2 + 2 * length; ++z) {
+        const bool in_hole = std::abs(x - ring / 2) <= 1 && std::abs(y - ring / 2) <= 1;
+        const bool in_ring = z == length || z == length + 1;
+        const bool in_limb = (x == 1 || x == 2) && (y == 1 || y == 2);
+        cubes.set({x, y, z}, in_ring ? !in_hole : in_limb);
+      }
+  const support::TetMesh mesh = support::mesh_of(cubes);
+  return solid({mesh.points, mesh.tets});
+}
+
+/// The greatest differences of w in tetrahedra, the least of them all.
+double least_rise(const Solid& solid, const std::vector<double>& w) {
+  double least = 1;
+  for (const auto& v : solid.mesh.tetrahedra) {
+    const auto [low, high] = std::minmax({w[v[0]], w[v[1]], w[v[2]], w[v[3]]});
+    least = std::min(least, high - low);
+  }
+  return least;
+}
+
+} // namespace
+
+TEST_CASE("Branches carry the field into limbs", "[tunnels]") {
+  const Solid whole = ring_with_limbs(10);
+  const auto loop = tunnel_loop(whole, FirstHomology(whole));
+  REQUIRE(loop);
+  const auto field_with = [&](int branches) {
+    std::vector<int> base = bases_of(tunnel(whole, *loop, branches));
+    clean_up(whole, base);
+    const Prepared p = prepared(whole, partition(whole, base));
+    const HarmonicField field = harmonic_field(p.solid, p.partition);
+    if (branches > 0) CHECK(critical_places(p.solid, p.partition, field.w).none());
+    return least_rise(p.solid, field.w);
+  };
+  // In a bar of 2 x 2 that lies in one base the field falls by exp(-pi / sqrt 2) = 1/9.2 in each unit.
+  CHECK(field_with(0) < 1e-7);
+  CHECK(field_with(8) > 1e-4);
+}
+
+TEST_CASE("Trees grow from their banks, hang together and never meet", "[tunnels]") {
+  // A flat ring: the inner bank is the first, the outer one the second.
+  const support::PlanarMesh plan = support::planar_ring(0.3, 12, 48);
+  format::Soup soup;
+  for (const auto& p : plan.points) soup.points.push_back({p[0], p[1], 0});
+  soup.triangles = plan.triangles;
+  const mesh::TriangleMesh ring = mesh::build_surface(soup);
+  std::array<std::vector<int>, 2> banks;
+  for (int v = 0; v < static_cast<int>(ring.points.size()); ++v) {
+    const double r = std::hypot(ring.points[v][0], ring.points[v][1]);
+    if (r < 0.3 + 1e-9) banks[0].push_back(v);
+    if (r > 1 - 1e-9) banks[1].push_back(v);
+  }
+  CHECK(opposite_trees(ring, banks, 0) == banks);
+  std::size_t before = banks[0].size() + banks[1].size();
+  for (const int branches : {1, 5, 20, 1000}) {
+    const auto trees = opposite_trees(ring, banks, branches);
+    CHECK(trees[0].size() + trees[1].size() >= before);
+    before = trees[0].size() + trees[1].size();
+    std::vector<int> owner(ring.points.size(), -1);
+    for (const int k : {0, 1})
+      for (const int v : trees[k]) {
+        CHECK(owner[v] == -1);
+        owner[v] = k;
+      }
+    // Each vertex is reached from its bank through its tree.
+    for (const int k : {0, 1}) {
+      std::vector<int> reached = banks[k];
+      std::vector<char> seen(ring.points.size(), 0);
+      for (const int v : reached) seen[v] = 1;
+      for (std::size_t next = 0; next < reached.size(); ++next)
+        for (const auto& corners : ring.surface.triangles())
+          if (std::find(corners.begin(), corners.end(), reached[next]) != corners.end())
+            for (const int u : corners)
+              if (owner[u] == k && seen[u] == 0) {
+                seen[u] = 1;
+                reached.push_back(u);
+              }
+      CHECK(reached.size() == trees[k].size());
+    }
+  }
 }

@@ -9,8 +9,9 @@
 ///               along it. Of many axes and thresholds one is taken. Rims are made smooth curves by splitting
 ///               tetrahedra along them.
 ///     tunnels   Of solids with one handle: the inner wall is a band around a short loop of the boundary that
-///               generates the homology of the solid, the outer one lies halfway between its two banks. Rims
-///               are made smooth as above.
+///               generates the homology of the solid, the outer one lies halfway between its two banks. Where
+///               the field then has critical places, for instance because limbs lie in one base alone, both
+///               bases send branches into them, on opposite sides. Rims are made smooth as above.
 ///
 /// They are tried in this order; the first that finds a partition does it. Among several of one kind the best
 /// has the greatest score: |F - C| / A, where F and C are the vector areas of floor and ceiling and A is the
@@ -35,6 +36,9 @@ struct AutomaticOptions {
   /// Rounds of averaging the normals, until one of them does it. Some make rims smoother, many wash small
   /// holes away.
   std::vector<int> smoothings{25, 5, 0, 100};
+  /// How many branches floor and ceiling send into limbs, until the field has no critical place; the first
+  /// number that makes their count least.
+  std::vector<int> branches{0, 4, 8, 12, 16, 24, 32};
   bool smooth_rims = true; ///< whether tetrahedra may be split
 };
 
