@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <utility>
 
@@ -300,33 +301,66 @@ std::optional<Automatic> between_levels(const Search& search, Tunnel found) {
   return Automatic{std::move(at.solid), *std::move(patches), value, found.how};
 }
 
-/// How many places the field has that has no extrema inside.
-std::size_t critical_count(const Automatic& found, const Progress& progress) {
-  const Prepared prepared = product::prepared(found.solid, found.partition);
+/// What tells good partitions from bad ones, by the field that has no extrema inside.
+struct Judgement {
+  std::size_t critical = 0; ///< places
+  /// The difference of w within a tetrahedron, the geometric mean of all: small where parts of the solid are
+  /// out of the field's reach.
+  double rise = 0;
+
+  bool is_better_than(const Judgement& other) const {
+    constexpr double clearly = 1.5;
+    return critical < other.critical || (critical == other.critical && rise > clearly * other.rise);
+  }
+};
+
+Judgement judgement(const Automatic& found, const Progress& progress) {
+  const Prepared p = prepared(found.solid, found.partition);
   FieldOptions options;
   options.clamped = true;
-  const HarmonicField field = harmonic_field(prepared.solid, prepared.partition, options, progress);
-  const CriticalPlaces places = critical_places(prepared.solid, prepared.partition, field.w);
-  return places.flat.size() + places.vertices.size();
+  const std::vector<double> w = harmonic_field(p.solid, p.partition, options, progress).w;
+  const CriticalPlaces places = critical_places(p.solid, p.partition, w);
+  double logarithms = 0;
+  for (const auto& v : p.solid.mesh.tetrahedra) {
+    const auto [low, high] = std::minmax({w[v[0]], w[v[1]], w[v[2]], w[v[3]]});
+    logarithms += std::log(std::max(high - low, std::numeric_limits<double>::min()));
+  }
+  return {places.flat.size() + places.vertices.size(), std::exp(logarithms / p.solid.size())};
 }
 
-std::optional<Automatic> by_tunnels(const Search& search, const Progress& progress) {
-  progress.step("tunnels");
-  if (!search.homology) return {};
-  const std::optional<TunnelLoop> around = tunnel_loop(search.solid, *search.homology);
-  if (!around) return {};
-  std::optional<Automatic> best;
-  std::size_t fewest = 0;
-  for (const int branches : search.options.branches) {
-    std::optional<Automatic> found = between_levels(search, tunnel(search.solid, *around, branches));
-    if (!found) continue;
-    const std::size_t critical = critical_count(*found, progress);
-    if (best && critical >= fewest) continue;
-    best = std::move(found);
-    fewest = critical;
-    if (critical == 0) break;
+/// The best of those that were offered.
+class Best {
+public:
+  /// Whether it is better than all before.
+  bool offer(std::optional<Automatic> found, const Progress& progress) {
+    if (!found) return false;
+    const Judgement judged = judgement(*found, progress);
+    if (found_ && !judged.is_better_than(judged_)) return false;
+    found_ = std::move(found);
+    judged_ = judged;
+    return true;
   }
-  return best;
+  /// Whether it makes a product.
+  bool is_product() const { return found_ && judged_.critical == 0; }
+  std::optional<Automatic> take() { return std::move(found_); }
+
+private:
+  std::optional<Automatic> found_;
+  Judgement judged_;
+};
+
+/// Offers partitions around tunnels until one makes a product and more branches make it no better.
+void offer_tunnels(const Search& search, Best& best, const Progress& progress) {
+  progress.step("tunnels");
+  if (!search.homology) return;
+  const std::optional<TunnelLoops> around = tunnel_loops(search.solid, *search.homology);
+  if (!around) return;
+  for (const int branches : search.options.branches) {
+    const bool is_enough = best.is_product();
+    std::optional<Tunnel> found = tunnel(search.solid, *around, branches);
+    if (!found) return;
+    if (!best.offer(between_levels(search, *std::move(found)), progress) && is_enough) return;
+  }
 }
 
 } // namespace
@@ -334,9 +368,11 @@ std::optional<Automatic> by_tunnels(const Search& search, const Progress& progre
 std::optional<Automatic> automatic_partition(const Solid& solid, const AutomaticOptions& options,
                                              const Progress& progress) {
   const Search search(solid, options);
-  if (std::optional<Automatic> found = by_ridges(search, progress)) return found;
-  if (std::optional<Automatic> found = by_axes(search, progress)) return found;
-  return by_tunnels(search, progress);
+  Best best;
+  best.offer(by_ridges(search, progress), progress);
+  if (!best.is_product()) best.offer(by_axes(search, progress), progress);
+  if (!best.is_product()) offer_tunnels(search, best, progress);
+  return best.take();
 }
 
 } // namespace tetrarch::product

@@ -70,41 +70,95 @@ std::vector<double> distances(const Roads& roads, const std::vector<int>& from) 
   return ways(roads, from, [](int, const Road& road) { return road.length; }).distance;
 }
 
+double nearest_of(const std::vector<double>& distance, const std::vector<int>& vertices) {
+  double least = infinite;
+  for (const int v : vertices) least = std::min(least, distance[v]);
+  return least;
+}
+
+class Growth {
+public:
+  Growth(const Roads& roads, const std::array<std::vector<int>, 2>& first)
+      : roads_(roads), found_{first, first}, distance_{distances(roads, first[0]),
+                                                       distances(roads, first[1])} {}
+
+  /// Both banks of a loop, each to one tree, clear of the banks that come later.
+  bool join(std::array<std::vector<int>, 2> banks, const std::vector<int>& later) {
+    if (nearest_of(distance_[0], banks[0]) + nearest_of(distance_[1], banks[1]) >
+        nearest_of(distance_[0], banks[1]) + nearest_of(distance_[1], banks[0]))
+      banks[0].swap(banks[1]);
+    for (const int k : {0, 1}) {
+      std::vector<int> others = found_.trees[1 - k];
+      others.insert(others.end(), later.begin(), later.end());
+      if (k == 0) others.insert(others.end(), banks[1].begin(), banks[1].end());
+      if (!grow(k, banks[k], distances(roads_, others))) return false;
+      found_.banks[k].insert(found_.banks[k].end(), banks[k].begin(), banks[k].end());
+    }
+    return true;
+  }
+
+  /// To the vertex that needs it most; false if there is none left.
+  bool branch() {
+    if (lost_[0].empty()) lost_.fill(std::vector<char>(roads_.size(), 0));
+    while (true) {
+      double farthest = 0;
+      int tip = -1;
+      int grows = 0;
+      for (const int k : {0, 1})
+        for (int v = 0; v < static_cast<int>(roads_.size()); ++v) {
+          const double d = std::min(distance_[k][v], nearer * distance_[1 - k][v]);
+          if (d <= farthest || lost_[k][v] != 0) continue;
+          farthest = d;
+          tip = v;
+          grows = k;
+        }
+      if (tip < 0) return false;
+      if (grow(grows, {tip}, distance_[1 - grows])) return true;
+      lost_[grows][tip] = 1; // walled in by the other tree
+    }
+  }
+
+  OppositeTrees take() { return std::move(found_); }
+
+private:
+  /// Tree k by these vertices and a way to the nearest of them.
+  bool grow(int k, const std::vector<int>& to, const std::vector<double>& from_others) {
+    std::vector<int>& tree = found_.trees[k];
+    const Ways found = ways(roads_, tree, [&](int v, const Road& road) {
+      const double there = from_others[road.to];
+      return there > 0 ? 2 * road.length / (from_others[v] + there) : infinite;
+    });
+    const int end = *std::min_element(
+        to.begin(), to.end(), [&found](int a, int b) { return found.distance[a] < found.distance[b]; });
+    if (found.distance[end] == infinite) return false;
+    for (int v = found.before[end]; v >= 0 && found.before[v] >= 0; v = found.before[v]) tree.push_back(v);
+    tree.insert(tree.end(), to.begin(), to.end());
+    distance_[k] = distances(roads_, tree);
+    return true;
+  }
+
+  const Roads& roads_;
+  OppositeTrees found_;
+  std::array<std::vector<double>, 2> distance_; ///< of each vertex from the trees
+  std::array<std::vector<char>, 2> lost_;       ///< what a tree cannot reach any more
+};
+
 } // namespace
 
-std::array<std::vector<int>, 2> opposite_trees(const mesh::TriangleMesh& ring,
-                                               const std::array<std::vector<int>, 2>& banks, int branches) {
-  const Roads all = roads(ring);
-  std::array<std::vector<int>, 2> trees = banks;
-  std::array<std::vector<double>, 2> distance{distances(all, banks[0]), distances(all, banks[1])};
-  std::array<std::vector<char>, 2> lost;
-  lost.fill(std::vector<char>(all.size(), 0));
-  for (int made = 0; made < branches;) {
-    double farthest = 0;
-    int tip = -1;
-    int grows = 0;
-    for (const int k : {0, 1})
-      for (int v = 0; v < static_cast<int>(all.size()); ++v) {
-        const double d = std::min(distance[k][v], nearer * distance[1 - k][v]);
-        if (d <= farthest || lost[k][v] != 0) continue;
-        farthest = d;
-        tip = v;
-        grows = k;
-      }
-    if (tip < 0) break;
-    const std::vector<double>& other = distance[1 - grows];
-    const Ways found = ways(all, trees[grows], [&](int v, const Road& road) {
-      return other[road.to] > 0 ? 2 * road.length / (other[v] + other[road.to]) : infinite;
-    });
-    if (found.distance[tip] == infinite) { // walled in by the other tree
-      lost[grows][tip] = 1;
-      continue;
-    }
-    for (int v = tip; found.before[v] >= 0; v = found.before[v]) trees[grows].push_back(v);
-    distance[grows] = distances(all, trees[grows]);
-    ++made;
+std::optional<OppositeTrees> opposite_trees(const mesh::TriangleMesh& surface,
+                                            const std::vector<std::array<std::vector<int>, 2>>& banks,
+                                            int branches) {
+  const Roads all = roads(surface);
+  Growth growth(all, banks.front());
+  for (std::size_t k = 1; k < banks.size(); ++k) {
+    std::vector<int> later;
+    for (std::size_t j = k + 1; j < banks.size(); ++j)
+      for (const auto& bank : banks[j]) later.insert(later.end(), bank.begin(), bank.end());
+    if (!growth.join(banks[k], later)) return {};
   }
-  return trees;
+  for (int made = 0; made < branches && growth.branch(); ++made) {
+  }
+  return growth.take();
 }
 
 std::vector<double> distances(const mesh::TriangleMesh& mesh, const std::vector<int>& from) {

@@ -92,6 +92,16 @@ void balance(FloorMap& floor) {
   }
 }
 
+/// The second route, which is slower where many holes crowd the disk.
+void try_slit_map(const mesh::TriangleMesh& mesh, const std::vector<int>& loop_of_wall,
+                  slit::CircularMap& map, const Progress& progress) {
+  try {
+    const slit::OneForms forms(mesh, progress.silent(), slit::Edges::intrinsic_delaunay);
+    map = slit::circular_map(forms, slit::slit_map(forms, loop_of_wall[0], loop_of_wall[1]));
+  } catch (const InputError&) { // what the first one left is not found either
+  }
+}
+
 void map_to_circles(FloorMap& floor, const std::vector<BoundaryLoop>& loops,
                     const std::vector<int>& loop_of_wall, const Progress& progress) {
   slit::CircularMap map;
@@ -103,11 +113,7 @@ void map_to_circles(FloorMap& floor, const std::vector<BoundaryLoop>& loops,
     slit::RicciCircles circles =
         slit::ricci_circles(floor.mesh, loop_of_wall[0], loop_of_wall[1], {}, progress.silent());
     map = std::move(circles.map);
-    // The second route, which is slower where many holes crowd the disk.
-    if (!map.domain.found) {
-      const slit::OneForms forms(floor.mesh, progress.silent(), slit::Edges::intrinsic_delaunay);
-      map = slit::circular_map(forms, slit::slit_map(forms, loop_of_wall[0], loop_of_wall[1]));
-    }
+    if (!map.domain.found) try_slit_map(floor.mesh, loop_of_wall, map, progress);
   }
   slit::unflip_in_disk(floor.mesh, map);
   floor.found = map.domain.found;
@@ -186,6 +192,11 @@ FloorMap floor_map(const Solid& solid, const Partition& partition, const FloorOp
     map_to_rectangles(floor, loops, loop_of_wall, options.corners, progress);
   else
     map_to_circles(floor, loops, loop_of_wall, progress);
+  const auto is_finite = [](const Complex& z) { return std::isfinite(z.real()) && std::isfinite(z.imag()); };
+  if (!std::all_of(floor.position.begin(), floor.position.end(), is_finite)) {
+    floor.position.assign(floor.position.size(), 0);
+    floor.found = false;
+  }
   floor.flipped = static_cast<int>(slit::distortion_in_plane(floor.mesh, floor.position).flipped.size());
   return floor;
 }

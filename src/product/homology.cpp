@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "homology.hpp"
 
-#include "tetrarch/core/error.hpp"
 #include "tetrarch/core/skeleton.hpp"
 
 #include <algorithm>
 #include <array>
-#include <cstdlib>
 #include <utility>
 
 namespace tetrarch::product {
@@ -124,52 +122,13 @@ private:
   int generators_ = 0;
 };
 
-using Row = std::vector<std::int64_t>;
-
-/// A lattice of integer vectors by a triangular basis: the row with first nonzero entry c stands at c.
-class Lattice {
-public:
-  explicit Lattice(int size) : rows_(static_cast<std::size_t>(size)) {}
-
-  void add(Row row) {
-    for (std::size_t c = 0; c < rows_.size(); ++c) {
-      if (row[c] == 0) continue;
-      if (rows_[c].empty()) {
-        rows_[c] = std::move(row);
-        return;
-      }
-      // Euclid's algorithm, on whole rows.
-      while (row[c] != 0) {
-        subtract(rows_[c], row, rows_[c][c] / row[c]);
-        rows_[c].swap(row);
-      }
-    }
-  }
-
-  bool is_everything() const {
-    for (std::size_t c = 0; c < rows_.size(); ++c)
-      if (rows_[c].empty() || std::abs(rows_[c][c]) != 1) return false;
-    return true;
-  }
-
-private:
-  static void subtract(Row& a, const Row& b, std::int64_t times) {
-    constexpr std::int64_t most = std::int64_t{1} << 31;
-    for (std::size_t c = 0; c < a.size(); ++c) {
-      a[c] -= times * b[c];
-      if (std::abs(a[c]) >= most) throw InputError("the homology of the solid needs numbers beyond 32 bits");
-    }
-  }
-
-  std::vector<Row> rows_;
-};
-
 } // namespace
 
 FirstHomology::FirstHomology(const Solid& solid) {
   const Labelling labelling(solid);
   generators_ = labelling.generators();
   relations_ = labelling.relations();
+  rank_of_relations_ = smith_form({}).rank();
   on_side_.reserve(static_cast<std::size_t>(solid.boundary.side_count()));
   for (int t = 0; t < solid.boundary.triangle_count(); ++t) {
     const TetFace face = solid.face[t];
@@ -189,16 +148,23 @@ Element FirstHomology::of(const std::vector<mesh::SideEnd>& loop) const {
   return whole;
 }
 
+algebra::SmithForm FirstHomology::smith_form(const std::vector<Element>& elements) const {
+  algebra::SparseMatrix rows(static_cast<int>(relations_.size() + elements.size()), generators_);
+  int row = 0;
+  for (const auto* list : {&relations_, &elements})
+    for (const Element& element : *list) {
+      for (const Term& term : element) rows.add(row, term.generator, term.coefficient);
+      ++row;
+    }
+  return algebra::smith_normal_form(rows);
+}
+
 bool FirstHomology::generated_by(const std::vector<Element>& elements) const {
-  Lattice lattice(generators_);
-  const auto add = [&](const Element& element) {
-    Row row(static_cast<std::size_t>(generators_), 0);
-    for (const Term& term : element) row[term.generator] = term.coefficient;
-    lattice.add(std::move(row));
-  };
-  for (const Element& relation : relations_) add(relation);
-  for (const Element& element : elements) add(element);
-  return lattice.is_everything();
+  return smith_form(elements).units == generators_;
+}
+
+bool FirstHomology::is_part_of_basis(const std::vector<Element>& elements) const {
+  return smith_form(elements).units == rank_of_relations_ + static_cast<int>(elements.size());
 }
 
 } // namespace tetrarch::product

@@ -10,6 +10,7 @@
 ///          *---*                the relations. A good mesh of a handlebody needs about as many generators as
 ///                               it has handles.
 
+#include "tetrarch/algebra/smith.hpp"
 #include "tetrarch/product/partition.hpp"
 
 #include <cstdint>
@@ -32,14 +33,20 @@ public:
 
   /// Of a closed walk along sides of the boundary.
   Element of(const std::vector<mesh::SideEnd>& loop) const;
-  /// Whether these generate the whole group. Cubic in the number of generators. If numbers grew beyond 32
-  /// bits, which was never seen, it would throw InputError.
+  /// Whether these generate the whole group. Polynomial in the number of generators, which is small.
   bool generated_by(const std::vector<Element>& elements) const;
+  /// Whether these are part of a basis: others can be added so that every element is a sum of them in one
+  /// way. The group must be free, as that of a handlebody is.
+  bool is_part_of_basis(const std::vector<Element>& elements) const;
 
 private:
+  /// Of the relations and these elements.
+  algebra::SmithForm smith_form(const std::vector<Element>& elements) const;
+
   std::vector<Element> on_side_; ///< of each side of the boundary, along it
   std::vector<Element> relations_;
   int generators_ = 0;
+  int rank_of_relations_ = 0;
 };
 
 /// As the public one, for a homology at hand; not checked against it if there is none.

@@ -137,7 +137,8 @@ double natural_height(const Solid& solid, const Partition& partition, const Floo
       here.push_back(floor.mesh.points[v]);
       there.push_back({floor.position[v].real(), floor.position[v].imag(), 0});
     }
-  return walls.area / (walls.rims / 2) * diameter(there) / diameter(here);
+  const double scale = diameter(there) / diameter(here);
+  return std::isfinite(scale) && scale > 0 ? walls.area / (walls.rims / 2) * scale : 1.0;
 }
 
 Coordinates coordinates(const FiberField& field, const FloorMap& floor, int threads,

@@ -11,6 +11,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
+#include <functional>
 #include <numeric>
 #include <set>
 #include <utility>
@@ -39,10 +41,13 @@ Loop without_tail(const MarkedSurface& surface, Loop loop) {
   return loop;
 }
 
-bool is_simple(const MarkedSurface& surface, const Loop& loop) {
+/// Whether it meets neither itself nor the boundary.
+bool is_simple(const MarkedSurface& surface, const std::vector<char>& on_boundary, const Loop& loop) {
   std::set<int> seen;
-  for (const SideEnd e : loop) seen.insert(surface.surface.vertex(e));
-  return seen.size() == loop.size();
+  for (const SideEnd e : loop)
+    if (on_boundary[surface.surface.vertex(e)] != 0 || !seen.insert(surface.surface.vertex(e)).second)
+      return false;
+  return true;
 }
 
 double length_of(const MarkedSurface& surface, const Loop& loop) {
@@ -53,134 +58,225 @@ double length_of(const MarkedSurface& surface, const Loop& loop) {
   return length;
 }
 
-/// The shortest simple loop through a root that generates the homology, if it is shorter than `best`.
-bool improve(const MarkedSurface& surface, const FirstHomology& homology, int root,
-             std::optional<Candidate>& best) {
+/// A surface on which a loop is sought, the homology of the solid, and the loops that there are.
+struct LoopSearch {
+  MarkedSurface surface;
+  const FirstHomology& homology;
+  std::vector<FirstHomology::Element> chosen;
+  std::vector<char> on_boundary;
+
+  LoopSearch(mesh::TriangleMesh cut, const FirstHomology& h, std::vector<FirstHomology::Element> c)
+      : surface(std::move(cut.surface), std::move(cut.points)), homology(h), chosen(std::move(c)),
+        on_boundary(static_cast<std::size_t>(surface.surface.vertex_count()), 0) {
+    for (const auto& curve : mesh::boundary_curves(surface.surface))
+      for (const SideEnd e : curve) on_boundary[surface.surface.vertex(e)] = 1;
+  }
+
+  /// Whether the loops and this one are part of a basis.
+  bool completes(const Loop& loop) const {
+    std::vector<FirstHomology::Element> all = chosen;
+    all.push_back(homology.of(loop));
+    return homology.is_part_of_basis(all);
+  }
+};
+
+/// The shortest simple loop through a root that completes the others, if it is shorter than `best`.
+bool improve(const LoopSearch& search, int root, std::optional<Candidate>& best) {
   bool improved = false;
-  for (const Loop& through_root : mesh::generators(surface, root)) {
-    const Loop loop = without_tail(surface, through_root);
-    const double length = length_of(surface, loop);
+  for (const Loop& through_root : mesh::generators(search.surface, root)) {
+    const Loop loop = without_tail(search.surface, through_root);
+    const double length = length_of(search.surface, loop);
     if (best && length >= best->length * (1 - 1e-9)) continue;
-    if (!is_simple(surface, loop) || !homology.generated_by({homology.of(loop)})) continue;
+    if (!is_simple(search.surface, search.on_boundary, loop) || !search.completes(loop)) continue;
     best = {loop, length};
     improved = true;
   }
   return improved;
 }
 
-std::optional<Candidate> shortest_loop(const MarkedSurface& surface, const FirstHomology& homology) {
+std::optional<Candidate> shortest_loop(const LoopSearch& search) {
   constexpr int tries = 16;
+  constexpr int most_roots = 64;
   constexpr int most_rounds = 10;
   std::optional<Candidate> best;
-  improve(surface, homology, mesh::root_of_short_generators(surface, tries), best);
+  improve(search, mesh::root_of_short_generators(search.surface, tries), best);
+  const int vertices = search.surface.surface.vertex_count();
+  for (int v = 0; v < vertices && !best; v += 1 + vertices / most_roots) improve(search, v, best);
   for (int round = 0; round < most_rounds && best; ++round) {
     const Loop loop = best->loop;
     bool improved = false;
     for (std::size_t k = 0; k < loop.size(); k += 1 + loop.size() / 8)
-      improved = improve(surface, homology, surface.surface.vertex(loop[k]), best) || improved;
+      improved = improve(search, search.surface.surface.vertex(loop[k]), best) || improved;
     if (!improved) break;
   }
   return best;
 }
 
-/// The boundary cut open along the loop.
-mesh::TriangleMesh ring_of(const TunnelLoop& around) {
-  MarkedSurface surface = around.surface;
-  for (const SideEnd e : around.loop) mesh::set_mark(surface, e.side, e.at_start ? 1 : -1);
-  mesh::TriangleMesh ring{{}, mesh::cut_open(surface)};
-  ring.points.resize(static_cast<std::size_t>(ring.surface.vertex_count()));
-  for (int t = 0; t < ring.surface.triangle_count(); ++t)
+/// Cut open along the marks.
+mesh::TriangleMesh opened(const MarkedSurface& surface) {
+  mesh::TriangleMesh result{{}, mesh::cut_open(surface)};
+  result.points.resize(static_cast<std::size_t>(result.surface.vertex_count()));
+  for (int t = 0; t < result.surface.triangle_count(); ++t)
     for (int c = 0; c < 3; ++c)
-      ring.points[ring.surface.corners(t)[c]] = surface.points[surface.surface.corners(t)[c]];
-  return ring;
+      result.points[result.surface.corners(t)[c]] = surface.points[surface.surface.corners(t)[c]];
+  return result;
 }
 
-/// 1 on one bank and 0 on the other; along the trees that start there it goes down to 0.8 and up to 0.2
-/// within half a loop's length; harmonic elsewhere. By corners.
-CornerValues harmonic_between_trees(const mesh::TriangleMesh& ring, double length, int branches) {
-  constexpr double on_trees = 0.2; ///< from the value on their bank
-  std::array<std::vector<int>, 2> banks;
-  const auto curves = mesh::boundary_curves(ring.surface);
-  for (const int k : {0, 1})
-    for (const SideEnd e : curves[k]) banks[k].push_back(ring.surface.vertex(e));
-  const std::array<std::vector<int>, 2> trees = opposite_trees(ring, banks, branches);
-  std::vector<char> held(ring.points.size(), 0);
-  std::vector<double> data(held.size(), 0.0);
-  for (const int k : {0, 1}) {
-    const std::vector<double> distance = distances(ring, banks[k]);
-    for (const int v : trees[k]) {
-      const double away = on_trees * std::min(1.0, distance[v] / (length / 2));
-      held[v] = 1;
-      data[v] = k == 0 ? 1 - away : away;
+/// Far from where they are, to and fro: ways along the boundary are then longer than all others, and short
+/// loops keep away from it.
+void move_boundary_away(mesh::TriangleMesh& cut) {
+  Point low = cut.points.front();
+  Point high = low;
+  for (const Point& p : cut.points)
+    for (int c = 0; c < 3; ++c) {
+      low[c] = std::min(low[c], p[c]);
+      high[c] = std::max(high[c], p[c]);
     }
+  double far = mesh::distance(low, high);
+  for (const auto& curve : mesh::boundary_curves(cut.surface))
+    for (const SideEnd e : curve) {
+      cut.points[cut.surface.vertex(e)][0] += far;
+      far = -far;
+    }
+}
+
+using Banks = std::vector<std::array<std::vector<int>, 2>>;
+
+/// Both banks of each loop, as vertices of the surface that is cut along them.
+Banks banks_of(const mesh::Surface& cut, const TunnelLoops& around) {
+  Banks banks(around.loops.size());
+  for (const auto& curve : mesh::boundary_curves(cut)) {
+    const int mark = around.surface[curve.front().side];
+    std::vector<int>& bank = banks[std::abs(mark) - 1][mark > 0 ? 0 : 1];
+    for (const SideEnd e : curve) bank.push_back(cut.vertex(e));
   }
-  const std::vector<double> weight = mesh::half_cotangents(ring);
-  const std::vector<double> f = mesh::LaplaceSolver(ring.surface, weight, held).solve({data}).front();
+  return banks;
+}
+
+/// For each vertex of the inner wall at a bank of loop k how far inside it is: 1 on the bank, 0 or less
+/// beyond the wall. That is an eighth of the loop wide, or a row of triangles, but stays away from other
+/// loops and leaves most of the way to the other bank.
+std::vector<double> inside_wall(const mesh::TriangleMesh& cut, const TunnelLoops& around, const Banks& banks,
+                                std::size_t k, int side) {
+  constexpr double to_others = 0.3; ///< in terms of the distances from there
+  constexpr double to_other_bank = 0.25;
+  std::vector<int> others;
+  for (std::size_t j = 0; j < banks.size(); ++j)
+    if (j != k)
+      for (const auto& bank : banks[j]) others.insert(others.end(), bank.begin(), bank.end());
+  const std::vector<double> here = distances(cut, banks[k][side]);
+  double width = around.length[k] / 8;
+  for (const auto& corners : cut.surface.triangles()) // a row at least
+    if (std::any_of(corners.begin(), corners.end(), [&here](int v) { return here[v] == 0; }))
+      for (const int v : corners) width = std::max(width, 1.01 * here[v]);
+  const std::vector<double> from_others = distances(cut, others);
+  const std::vector<double> from_other_bank = distances(cut, banks[k][1 - side]);
+  std::vector<double> inside;
+  inside.reserve(here.size());
+  for (std::size_t v = 0; v < here.size(); ++v) {
+    const double least = std::min({width, to_others * from_others[v], to_other_bank * from_other_bank[v]});
+    inside.push_back(here[v] > 0 ? 1 - here[v] / least : 1.0);
+  }
+  return inside;
+}
+
+/// 0.8 and 0.2 on the trees; from 1 on and above on inner walls at banks of the first, 0 and below on those
+/// of the other; harmonic elsewhere. By corners. Empty if there are no trees.
+CornerValues harmonic_between_trees(const TunnelLoops& around, int branches) {
+  constexpr std::array on_trees{0.8, 0.2};
+  const mesh::TriangleMesh cut = opened(around.surface);
+  const Banks banks = banks_of(cut.surface, around);
+  const auto found = opposite_trees(cut, banks, branches);
+  if (!found) return {};
+  std::vector<char> held(cut.points.size(), 0);
+  std::vector<double> data(held.size(), 0.0);
+  std::vector<int> owner(held.size(), -1);
+  std::vector<double> walls(held.size(), 0.0);
+  for (const int k : {0, 1})
+    for (const int v : found->trees[k]) {
+      held[v] = 1;
+      data[v] = on_trees[k];
+      owner[v] = k;
+    }
+  for (std::size_t loop = 0; loop < banks.size(); ++loop)
+    for (const int side : {0, 1}) {
+      const int k = found->is_first(banks[loop][side]) ? 0 : 1;
+      const std::vector<double> inside = inside_wall(cut, around, banks, loop, side);
+      for (std::size_t v = 0; v < inside.size(); ++v) {
+        if (inside[v] <= 0 || owner[v] == 1 - k) continue;
+        held[v] = 1;
+        data[v] = k == 0 ? 1 : 0;
+        walls[v] = k == 0 ? inside[v] : -inside[v];
+      }
+    }
+  const std::vector<double> weight = mesh::half_cotangents(cut);
+  std::vector<double> f = mesh::LaplaceSolver(cut.surface, weight, held).solve({data}).front();
+  std::transform(f.begin(), f.end(), walls.begin(), f.begin(), std::plus<>());
   CornerValues values;
-  values.reserve(ring.surface.triangles().size());
-  for (const auto& [a, b, c] : ring.surface.triangles()) values.push_back({f[a], f[b], f[c]});
+  values.reserve(cut.surface.triangles().size());
+  for (const auto& [a, b, c] : cut.surface.triangles()) values.push_back({f[a], f[b], f[c]});
   return values;
 }
 
-/// Of each triangle its value and its area, by value.
-std::vector<std::pair<double, double>> sorted_by_value(const Solid& solid, const CornerValues& values) {
+/// Where the ceiling begins and ends, the floor begins and ends. What differs least from 1/2 is the outer
+/// wall, until it has a fifth of the area, but nothing that trees hold.
+std::array<double, 4> levels_of(const Solid& solid, const CornerValues& values) {
+  constexpr double most = 0.25;
   const std::vector<Point> areas = vector_areas(solid);
-  std::vector<std::pair<double, double>> sorted;
-  sorted.reserve(values.size());
-  for (std::size_t t = 0; t < values.size(); ++t)
-    sorted.emplace_back((values[t][0] + values[t][1] + values[t][2]) / 3, vectors::norm(areas[t]));
-  std::sort(sorted.begin(), sorted.end());
-  return sorted;
-}
-
-/// The least area of so many triangles at the beginning.
-double area_of(int count, auto first, auto end) {
-  double area = 0;
-  for (; count > 0 && first != end; --count, ++first) area += first->second;
-  return area;
-}
-
-/// Where the inner wall ends, the outer begins and ends, the inner begins.
-std::array<double, 4> levels_of(const Solid& solid, const CornerValues& values, double length) {
-  constexpr int fewest =
-      40; ///< triangles of the inner wall along each bank, so that it has a rim to speak of
-  const auto sorted = sorted_by_value(solid, values);
+  std::vector<std::pair<double, double>> by_difference; // and area
+  by_difference.reserve(values.size());
   double whole = 0;
-  for (const auto& [value, area] : sorted) whole += area;
-  const auto band = [&](double least) { return std::min(0.1 * whole, std::max(least, length * length / 8)); };
-  const std::array<double, 4> areas_below{band(area_of(fewest, sorted.begin(), sorted.end())), 0.4 * whole,
-                                          0.6 * whole,
-                                          whole - band(area_of(fewest, sorted.rbegin(), sorted.rend()))};
-  std::array<double, 4> levels{};
-  double below = 0;
-  std::size_t next = 0;
-  for (const auto& [value, area] : sorted) {
-    below += area;
-    while (next < levels.size() && below > areas_below[next]) levels[next++] = value;
+  for (std::size_t t = 0; t < values.size(); ++t) {
+    const double mean = (values[t][0] + values[t][1] + values[t][2]) / 3;
+    by_difference.emplace_back(std::abs(mean - 0.5), vectors::norm(areas[t]));
+    whole += by_difference.back().second;
   }
-  return levels;
+  std::sort(by_difference.begin(), by_difference.end());
+  double area = 0;
+  double outer = 0;
+  for (const auto& [difference, more] : by_difference) {
+    if (area > whole / 5 || difference > most) break;
+    area += more;
+    outer = difference;
+  }
+  return {0, 0.5 - outer, 0.5 + outer, 1};
 }
 
 } // namespace
 
-std::optional<TunnelLoop> tunnel_loop(const Solid& solid, const FirstHomology& homology) {
+std::optional<TunnelLoops> tunnel_loops(const Solid& solid, const FirstHomology& homology) {
   std::vector<Point> points;
   points.reserve(solid.vertex.size());
   for (const int v : solid.vertex) points.push_back(solid.point(v));
-  MarkedSurface surface(solid.boundary, std::move(points));
-  const std::optional<Candidate> best = shortest_loop(surface, homology);
-  if (!best) return {};
-  return TunnelLoop{std::move(surface), best->loop, best->length};
+  TunnelLoops found{MarkedSurface(solid.boundary, std::move(points)), {}, {}};
+  std::vector<FirstHomology::Element> chosen;
+  for (int k = 1; k <= genus(solid); ++k) {
+    mesh::TriangleMesh cut = opened(found.surface);
+    std::optional<Candidate> best = shortest_loop(LoopSearch(cut, homology, chosen));
+    if (!best) {
+      move_boundary_away(cut);
+      best = shortest_loop(LoopSearch(std::move(cut), homology, chosen));
+    }
+    if (!best) return {};
+    for (const SideEnd e : best->loop) mesh::set_mark(found.surface, e.side, e.at_start ? k : -k);
+    chosen.push_back(homology.of(best->loop));
+    found.loops.push_back(std::move(best->loop));
+    found.length.push_back(best->length);
+  }
+  return found;
 }
 
-Tunnel tunnel(const Solid& solid, const TunnelLoop& around, int branches) {
+std::optional<Tunnel> tunnel(const Solid& solid, const TunnelLoops& around, int branches) {
   Tunnel found;
-  found.values = harmonic_between_trees(ring_of(around), around.length, branches);
-  found.levels = levels_of(solid, found.values, around.length);
-  found.how = "around the tunnel of the loop of " + std::to_string(around.loop.size()) +
-              " edges through vertex " +
-              std::to_string(solid.vertex[around.surface.surface.vertex(around.loop.front())]) +
-              (branches > 0 ? ", with " + std::to_string(branches) + " branches" : "");
+  found.values = harmonic_between_trees(around, branches);
+  if (found.values.empty()) return {};
+  found.levels = levels_of(solid, found.values);
+  found.how = around.loops.size() == 1 ? "around the tunnel of the loop" : "around the tunnels of the loops";
+  for (std::size_t k = 0; k < around.loops.size(); ++k)
+    found.how += std::string(k == 0 ? "" : " and") + " of " + std::to_string(around.loops[k].size()) +
+                 " edges through vertex " +
+                 std::to_string(solid.vertex[around.surface.surface.vertex(around.loops[k].front())]);
+  if (branches > 0) found.how += ", with " + std::to_string(branches) + " branches";
   return found;
 }
 

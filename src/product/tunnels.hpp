@@ -1,22 +1,25 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
-/// The partition of a solid with one handle, however small, around a loop of its boundary.
+/// The partition of a solid with handles, however small, around loops of its boundary.
 ///
-///        ____________           The loop generates the homology of the solid: it goes around the tunnel. Cut
-///       /   ceiling  \          along it, the boundary is a ring, and on it a function is harmonic, 1 on one
-///      |   _.-"""-._  |         bank and 0 on the other. Where it is high but for a band along the bank is
-///      |--(  loop   )-| wall    the floor, where it is low the ceiling; both bands are the inner wall, and
-///      |   "-.___.-"  |         what lies halfway between is the outer one.
-///       \____floor___/
+///        ____________           The loops are a basis of the solid's homology: each goes around a tunnel,
+///        and
+///       /   ceiling  \          they do not meet. Cut along them, the boundary is a sphere with two holes
+///       for
+///      |   _.-"""-._  |         each, and on it a function is harmonic, 1 on one bank of each loop and 0 on
+///      |--(  loop   )-| wall    the other. Where it is high but for bands along banks is the floor, where it
+///      |   "-.___.-"  |         is low the ceiling; the bands are inner walls, and what lies halfway between
+///       \____floor___/          is the outer one.
 ///
-/// Limbs would lie in one of both alone; branches.hpp sends both into them: what their trees reach is held
-/// at 0.8 and 0.2.
+/// Each half of the banks is joined by a tree, and limbs would lie in floor or ceiling alone; so branches.hpp
+/// sends both into them. What the trees reach is held at 0.8 and 0.2.
 
 #include "homology.hpp"
 #include "levels.hpp"
 
 #include "tetrarch/mesh/cuts.hpp"
+
 #include <array>
 #include <optional>
 #include <string>
@@ -24,26 +27,28 @@
 
 namespace tetrarch::product {
 
-struct TunnelLoop {
-  mesh::MarkedSurface surface; ///< the boundary
-  mesh::Loop loop;
-  double length = 0;
+struct TunnelLoops {
+  mesh::MarkedSurface surface;   ///< the boundary; loop k, from 0, is marked k + 1
+  std::vector<mesh::Loop> loops; ///< as many as there are handles
+  std::vector<double> length;    ///< of each
 };
 
-/// None where no short loop generates the homology, which one loop does only for one handle. O(n log n) for
-/// each of some roots.
-[[nodiscard]] std::optional<TunnelLoop> tunnel_loop(const Solid& solid, const FirstHomology& homology);
+/// The shortest loop that is part of a basis of the homology, then the shortest that completes it and does
+/// not touch the first, and so on. None where one of them is not found. O(handles n log n) for each of some
+/// roots.
+[[nodiscard]] std::optional<TunnelLoops> tunnel_loops(const Solid& solid, const FirstHomology& homology);
 
 struct Tunnel {
   CornerValues values; ///< of the harmonic function
   /// In increasing order: from the first on to the second is the ceiling, from the third on to the fourth the
-  /// floor. Outside of them is the inner wall, as wide as a quarter of the loop is long; in the middle the
-  /// outer one, a fifth of the boundary.
+  /// floor. Outside of them are the inner walls, as wide as a quarter of the loops are long; in the middle
+  /// the outer one, a fifth of the boundary.
   std::array<double, 4> levels{};
   std::string how;
 };
 
-/// The function for so many branches. A sparse factorisation, and O(n log n) for each branch.
-Tunnel tunnel(const Solid& solid, const TunnelLoop& around, int branches);
+/// The function for so many branches. None where the banks cannot be joined by trees. A sparse factorisation,
+/// and O(n log n) for each loop and branch.
+[[nodiscard]] std::optional<Tunnel> tunnel(const Solid& solid, const TunnelLoops& around, int branches);
 
 } // namespace tetrarch::product

@@ -9,6 +9,7 @@
 #include "tetrarch/mesh/laplacian.hpp"
 
 #include <cmath>
+#include <string>
 #include <utility>
 
 namespace tetrarch::slit {
@@ -41,7 +42,14 @@ std::vector<Complex> extended(const OneForms& forms, const SlitMap& map, const s
 
 SlitRing slit_ring(const SlitMap& map) {
   SlitRing ring{std::exp(-map.modulus), {}};
-  for (const Slit& s : map.slits) ring.slits.push_back({s.radius, s.start, s.end});
+  for (const Slit& s : map.slits) {
+    const bool inside = ring.inner < s.radius && s.radius < 1;
+    if (!inside || !(s.start < s.end && s.end - s.start < full_turn))
+      throw InputError("the slit of loop " + std::to_string(s.loop) +
+                       (inside ? " goes all the way round" : " is no farther in than a circle of the ring") +
+                       ", up to rounding; the surface is too long and thin for this domain");
+    ring.slits.push_back({s.radius, s.start, s.end});
+  }
   return ring;
 }
 

@@ -5,6 +5,7 @@
 #include "src/product/branches.hpp"
 #include "src/product/patches.hpp"
 #include "support/solids.hpp"
+#include "tetrarch/core/error.hpp"
 #include "tetrarch/product/critical.hpp"
 #include "tetrarch/product/field.hpp"
 #include "tetrarch/product/product.hpp"
@@ -13,6 +14,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <cstdlib>
+#include <set>
 
 using namespace tetrarch;
 using namespace tetrarch::product;
@@ -30,42 +32,6 @@ std::vector<int> bases_of(const Tunnel& found) {
   return base;
 }
 
-} // namespace
-
-TEST_CASE("The tunnel of a pipe is found, and the function between its banks", "[tunnels]") {
-  // Low and wide, so that loops through the hole, which bound in the solid, are longer than loops around it;
-  // and high and thin-walled, where they are shorter.
-  for (const auto& from : {support::pipe(0.2, 1, 6), support::pipe(0.8, 0.2, 6)}) {
-    const Solid whole = solid(from.mesh);
-    const auto loop = tunnel_loop(whole, FirstHomology(whole));
-    REQUIRE(loop);
-    const Tunnel found = tunnel(whole, *loop, 0);
-    REQUIRE(std::is_sorted(found.levels.begin(), found.levels.end()));
-    double least = 1;
-    double greatest = 0;
-    for (const auto& v : found.values)
-      for (const double x : v) {
-        least = std::min(least, x);
-        greatest = std::max(greatest, x);
-      }
-    const std::vector<int> base = bases_of(found);
-    CHECK(least == 0);
-    CHECK(greatest == 1);
-    // Both bases have two fifths of the area but for a band, so about as many triangles.
-    const auto floor = std::count(base.begin(), base.end(), 0);
-    const auto ceiling = std::count(base.begin(), base.end(), 1);
-    CHECK(floor > static_cast<long>(base.size()) / 5);
-    CHECK(ceiling > static_cast<long>(base.size()) / 5);
-  }
-}
-
-TEST_CASE("Of two handles no loop generates the homology alone", "[tunnels]") {
-  const Solid whole = solid(support::plate(2, 4, 2).mesh);
-  CHECK_FALSE(tunnel_loop(whole, FirstHomology(whole)));
-}
-
-namespace {
-
 /// A square ring of cubes, a bar standing on it and another one hanging from it.
 Solid ring_with_limbs(int length) {
   constexpr int ring = 9;
@@ -82,7 +48,7 @@ Solid ring_with_limbs(int length) {
   return solid({mesh.points, mesh.tets});
 }
 
-/// The greatest differences of w in tetrahedra, the least of them all.
+/// Of the greatest differences of w in tetrahedra the least.
 double least_rise(const Solid& solid, const std::vector<double>& w) {
   double least = 1;
   for (const auto& v : solid.mesh.tetrahedra) {
@@ -92,23 +58,120 @@ double least_rise(const Solid& solid, const std::vector<double>& w) {
   return least;
 }
 
+/// The solid divided between the levels, and its field.
+struct Tried {
+  Prepared prepared;
+  HarmonicField field;
+  bool is_product() const { return critical_places(prepared.solid, prepared.partition, field.w).none(); }
+};
+
+std::optional<Tried> tried(const Solid& whole, const TunnelLoops& loops, int branches) {
+  std::optional<Tunnel> found = tunnel(whole, loops, branches);
+  if (!found) return {};
+  Levelled at{whole, found->values};
+  for (const double level : found->levels) at = split_at_level(at.solid, std::move(at.values), level);
+  found->values = at.values;
+  std::vector<int> base = bases_of(*found);
+  clean_up(at.solid, base);
+  std::optional<Partition> patches;
+  try {
+    patches = partition(at.solid, base);
+  } catch (const InputError&) {
+    return {};
+  }
+  Prepared p = prepared(at.solid, *std::move(patches));
+  FieldOptions clamped;
+  clamped.clamped = true;
+  HarmonicField field = harmonic_field(p.solid, p.partition, clamped);
+  return Tried{std::move(p), std::move(field)};
+}
+
 } // namespace
+
+TEST_CASE("The tunnel of a pipe is found, and the function between its banks", "[tunnels]") {
+  // Low and wide, so that loops through the hole, which bound in the solid, are longer than loops around it;
+  // and high and thin-walled, where they are shorter.
+  for (const auto& from : {support::pipe(0.2, 1, 6), support::pipe(0.8, 0.2, 6)}) {
+    const Solid whole = solid(from.mesh);
+    const auto loops = tunnel_loops(whole, FirstHomology(whole));
+    REQUIRE(loops);
+    const auto found = tunnel(whole, *loops, 0);
+    REQUIRE(found);
+    REQUIRE(std::is_sorted(found->levels.begin(), found->levels.end()));
+    double least = 1;
+    double greatest = 0;
+    for (const auto& v : found->values)
+      for (const double x : v) {
+        least = std::min(least, x);
+        greatest = std::max(greatest, x);
+      }
+    CHECK(least == -1); // on the banks
+    CHECK(greatest == 2);
+    const auto divided = tried(whole, *loops, 0);
+    REQUIRE(divided);
+    CHECK(divided->is_product());
+  }
+}
 
 TEST_CASE("Branches carry the field into limbs", "[tunnels]") {
   const Solid whole = ring_with_limbs(10);
-  const auto loop = tunnel_loop(whole, FirstHomology(whole));
-  REQUIRE(loop);
-  const auto field_with = [&](int branches) {
-    std::vector<int> base = bases_of(tunnel(whole, *loop, branches));
-    clean_up(whole, base);
-    const Prepared p = prepared(whole, partition(whole, base));
-    const HarmonicField field = harmonic_field(p.solid, p.partition);
-    if (branches > 0) CHECK(critical_places(p.solid, p.partition, field.w).none());
-    return least_rise(p.solid, field.w);
-  };
+  const auto loops = tunnel_loops(whole, FirstHomology(whole));
+  REQUIRE(loops);
+  const auto without = tried(whole, *loops, 0);
+  const auto with = tried(whole, *loops, 8);
+  REQUIRE((without && with));
   // In a bar of 2 x 2 that lies in one base the field falls by exp(-pi / sqrt 2) = 1/9.2 in each unit.
-  CHECK(field_with(0) < 1e-7);
-  CHECK(field_with(8) > 1e-4);
+  CHECK(least_rise(without->prepared.solid, without->field.w) < 1e-7);
+  CHECK(least_rise(with->prepared.solid, with->field.w) > 1e-4);
+  CHECK(with->is_product());
+}
+
+TEST_CASE("Plates are divided around loops that are a basis and do not meet", "[tunnels]") {
+  for (int holes = 1; holes <= 5; ++holes) {
+    const Solid whole = solid(support::plate(holes, 6, 3, support::Hole::round, 0.8).mesh);
+    const FirstHomology homology(whole);
+    const auto loops = tunnel_loops(whole, homology);
+    REQUIRE(loops);
+    REQUIRE(static_cast<int>(loops->loops.size()) == holes);
+    std::vector<FirstHomology::Element> elements;
+    std::set<int> seen;
+    std::size_t length = 0;
+    for (const mesh::Loop& loop : loops->loops) {
+      elements.push_back(homology.of(loop));
+      length += loop.size();
+      for (const mesh::SideEnd e : loop) seen.insert(whole.boundary.vertex(e));
+    }
+    CHECK(homology.generated_by(elements));
+    CHECK(seen.size() == length);
+    elements.pop_back();
+    CHECK(homology.is_part_of_basis(elements));
+    CHECK_FALSE(homology.generated_by(elements));
+    elements.push_back(homology.of(loops->loops.front()));
+    CHECK(homology.is_part_of_basis(elements) == (holes == 1)); // twice the first loop
+    const auto found = tried(whole, *loops, 0);
+    REQUIRE(found);
+    CHECK(found->prepared.partition.holes() == holes);
+    CHECK(found->is_product());
+  }
+}
+
+TEST_CASE("Thickened graphs are products, though nobody can see how", "[tunnels]") {
+  for (const int genus : {1, 2, 3}) {
+    support::Random random(1);
+    const support::TetMesh mesh =
+        support::mesh_of(support::bars(support::random_graph({3, 3, 3}, genus, random), {5, 2}));
+    const Solid whole = solid({mesh.points, mesh.tets});
+    const auto loops = tunnel_loops(whole, FirstHomology(whole));
+    REQUIRE(loops);
+    bool is_product = false;
+    for (const int branches : {4, 8, 12}) {
+      const auto found = tried(whole, *loops, branches);
+      if (!found) continue;
+      CHECK(found->prepared.partition.holes() == genus);
+      is_product = is_product || found->is_product();
+    }
+    CHECK(is_product);
+  }
 }
 
 TEST_CASE("Trees grow from their banks, hang together and never meet", "[tunnels]") {
@@ -124,10 +187,10 @@ TEST_CASE("Trees grow from their banks, hang together and never meet", "[tunnels
     if (r < 0.3 + 1e-9) banks[0].push_back(v);
     if (r > 1 - 1e-9) banks[1].push_back(v);
   }
-  CHECK(opposite_trees(ring, banks, 0) == banks);
+  CHECK(opposite_trees(ring, {banks}, 0)->trees == banks);
   std::size_t before = banks[0].size() + banks[1].size();
   for (const int branches : {1, 5, 20, 1000}) {
-    const auto trees = opposite_trees(ring, banks, branches);
+    const auto trees = opposite_trees(ring, {banks}, branches)->trees;
     CHECK(trees[0].size() + trees[1].size() >= before);
     before = trees[0].size() + trees[1].size();
     std::vector<int> owner(ring.points.size(), -1);

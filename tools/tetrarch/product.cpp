@@ -262,6 +262,10 @@ Made make(const Options& options, const Context& context) {
       return made;
     }
   }
+  if (floor.flipped == floor.mesh.surface.triangle_count()) {
+    made.report.warnings.emplace_back("there is no map of the floor to start from; nothing is written");
+    return made;
+  }
   add_coordinates(made, floor, field.harmonic, options, context);
   return made;
 }

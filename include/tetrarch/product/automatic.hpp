@@ -8,16 +8,16 @@
 ///     axes      Floor is where the outer normal, smoothed, points against an axis, ceiling where it points
 ///               along it. Of many axes and thresholds one is taken. Rims are made smooth curves by splitting
 ///               tetrahedra along them.
-///     tunnels   Of solids with one handle: the inner wall is a band around a short loop of the boundary that
-///               generates the homology of the solid, the outer one lies halfway between its two banks. Where
-///               the field then has critical places, for instance because limbs lie in one base alone, both
-///               bases send branches into them, on opposite sides. Rims are made smooth as above.
+///     tunnels   Inner walls are bands around short loops of the boundary that are a basis of the homology of
+///               the solid, the outer one lies halfway between their banks. Where limbs would lie in one base
+///               alone, both bases send branches into them, on opposite sides. Rims are made smooth as above.
 ///
-/// They are tried in this order; the first that finds a partition does it. Among several of one kind the best
-/// has the greatest score: |F - C| / A, where F and C are the vector areas of floor and ceiling and A is the
-/// area of the boundary. It is the greater, the larger and flatter the bases are and the more they face away
-/// from each other, and it does not depend on the position of the solid. Source: after Yin, section 3.4.1,
-/// who flows from seeds.
+/// They are tried in this order; the first partition whose field has no critical place is taken, else that
+/// with the fewest. More branches are tried while they make the field reach clearly farther. Among several
+/// sides or axes the best has the greatest score: |F - C| / A, where F and C are the vector areas of floor
+/// and ceiling and A is the area of the boundary. It is the greater, the larger and flatter the bases are and
+/// the more they face away from each other, and it does not depend on the position of the solid. Source:
+/// after Yin, section 3.4.1, who flows from seeds.
 
 #include "tetrarch/core/progress.hpp"
 #include "tetrarch/product/partition.hpp"
@@ -36,8 +36,7 @@ struct AutomaticOptions {
   /// Rounds of averaging the normals, until one of them does it. Some make rims smoother, many wash small
   /// holes away.
   std::vector<int> smoothings{25, 5, 0, 100};
-  /// How many branches floor and ceiling send into limbs, until the field has no critical place; the first
-  /// number that makes their count least.
+  /// How many branches floor and ceiling send into limbs, one number after the other.
   std::vector<int> branches{0, 4, 8, 12, 16, 24, 32};
   bool smooth_rims = true; ///< whether tetrahedra may be split
 };

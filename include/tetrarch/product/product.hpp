@@ -35,7 +35,8 @@ struct Prepared {
 Prepared prepared(Solid solid, Partition partition);
 
 /// The height that keeps the floor's aspect ratio: h d' / d for walls of mean height h, and a floor whose rim
-/// has diameter d in space and d' in its map. (The dissertation has d / d'.) O(n + (length of the rim)^2).
+/// has diameter d in space and d' in its map; 1 where the map was not found and has none. (The dissertation
+/// has d / d'.) O(n + (length of the rim)^2).
 double natural_height(const Solid& solid, const Partition& partition, const FloorMap& floor);
 
 /// A fibre that did not arrive.

@@ -19,10 +19,12 @@ struct CircularMap {
   std::vector<std::complex<double>> position; ///< of each vertex
 };
 
-/// The ring with slits that a slit map leads to.
+/// The ring with slits that a slit map leads to. Throws InputError, naming the loop, where rounding leaves a
+/// slit no place inside of it or closes it.
 SlitRing slit_ring(const SlitMap& map);
 
-/// Two right-hand sides more for the factored Laplacian, and `circular_domain`. Check `domain.found`.
+/// Two right-hand sides more for the factored Laplacian, and `circular_domain`. Check `domain.found`. Throws
+/// as `slit_ring`.
 CircularMap circular_map(const OneForms& forms, const SlitMap& map, const CircularOptions& options = {});
 
 /// The case of one loop: Riemann's map of a disk, in which vertex `center` goes to 0 and the first vertex of
