@@ -64,6 +64,12 @@ class Triangulations(Options):
         self.assertEqual((kept["relators"], kept["abelianized"]), (["aab", "b"], "Z/2"))
         self.assertEqual(self.good("group", "< a, b | aab, b >")["presentation"], "< a | aa >")
 
+    def test_links_of_vertices_as_they_are_told(self):
+        told = {"cPcbbbihq": "link genus 2 (ideal)", "cMcabbgqw": "link sphere"}
+        for signature, link in told.items():
+            line = next(l for l in run("skeleton", signature).stdout.splitlines() if l.startswith("vertex 0"))
+            self.assertRegex(line, rf"^vertex 0 +{re.escape(link)}: ")
+
     def test_a_presentation_saved_is_the_same_when_read(self):
         first, second = self.path("first.json"), self.path("second.json")
         made = self.good("group", "fmp3_77", "--as-given", "-o", first)

@@ -4,6 +4,7 @@
 
 Usage: shell_test.py PROGRAM SOURCE_DIR
 """
+import itertools
 import json
 import os
 import re
@@ -77,7 +78,7 @@ class AtTheTerminal(unittest.TestCase):
                             ("info --se", "ed "), ("info Yar", "dstick "), ("census show fmp2_", ""), ("Z = tru", "ncate "),
                             ("check tests/data/mesh/double", "_torus.off "), ("info tests/da", "ta/"),
                             ("slit --distance tests/da", "ta/"), ("slit --distance Yar", "dstick "), ("slit --punch Yar", ""),
-                            ("slit -o Yar", "")):
+                            ("slit -o Yar", ""), ("slit --punch tests/da", "")):
             t.type(begun + "\t|")
             moves = r"(?:[\r\x07]|\x1b\[\d*[A-Z])*"  # of the cursor
             t.child.expect(re.escape(begun.split()[-1]) + moves + re.escape(rest) + moves + r"\|")
@@ -121,6 +122,15 @@ class AtTheTerminal(unittest.TestCase):
         t.shows(PROMPT)
         self.assertIn("volume      6.451990270835", t.line("hyperbolize Y"))
 
+    def test_every_job_is_asked_anew_to_stop(self):
+        for _ in range(6):  # a job that did not listen would be given up after four times
+            self.terminal.type("census enumerate --tetrahedra 5\r")
+            time.sleep(0.3)
+            self.terminal.child.sendintr()
+            self.terminal.shows("interrupted; nothing was written")
+            self.terminal.shows(PROMPT)
+        self.assertEqual(self.terminal.quit(), 0)
+
     def test_a_line_given_up_does_nothing(self):
         t = self.terminal
         t.type("Y = cPcbbbihq\x03")
@@ -151,6 +161,12 @@ class Scripts(unittest.TestCase):
         self.assertEqual((done.returncode, done.stderr), (0, ""))  # "not isometric" is an answer
         self.assertIn("not isometric", done.stdout)
         self.assertTrue(done.stdout.endswith("Y  fmp2_8, triangulation of 2 tetrahedra\n"))
+
+    def test_what_is_undecided_does_not_end_a_script(self):
+        done = pipe("hyperbolize cMcabbgqw", "Y = cPcbbbihq")  # finite vertices: no structure is sought
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.assertIn("undecided", done.stdout)
+        self.assertTrue(done.stdout.endswith("Y: triangulation of 2 tetrahedra\n"))
 
     def test_interrupting_a_script_ends_it(self):
         child = subprocess.Popen([PROGRAM, "shell"], stdin=subprocess.PIPE, stdout=subprocess.PIPE,
@@ -205,6 +221,10 @@ class Scripts(unittest.TestCase):
                 (["undo"], "there is nothing to undo"),
                 (["info 'cPcbbbihq"], "a quote ' does not end"),
                 (["G = < a, b | abc >"], "found 'c', expected a generator that is listed before the bar"),
+                (["ifno cPcbbbihq"], "unknown command 'ifno' (did you mean 'info'?)"),
+                (["hyper cPcbbbihq"], "unknown command 'hyper' (did you mean 'hyperbolize'?)"),
+                (["hyperbolize cPcbbbihq --metohd flow"],
+                 "unknown option '--metohd' of 'hyperbolize' (did you mean '--method'?)"),
                 (["truncat tests"], "unknown command 'truncat' (did you mean 'truncate'?)"),
                 (["truncate --outptu x"], "unknown option '--outptu' of 'truncate' (did you mean '--output'?)")):
             done = pipe(*lines)
@@ -223,6 +243,75 @@ class Moves(unittest.TestCase):
         self.assertIn("\ntetrahedra  3\n", done.stdout)
         self.assertTrue(done.stdout.endswith("Y is what it was before: move Y 2-3 0 0\nY = cPcbbbihq\n"
                                              "Y is gone, as before: Y = cPcbbbihq\nno values yet\n"))
+
+    def test_what_is_undone_is_not_in_the_log(self):
+        done = pipe("Y = cPcbbbihq", "move Y 2-3 0 0", "undo", "log Y")
+        self.assertTrue(done.stdout.endswith("\nY = cPcbbbihq\n"), done.stdout)
+
+    def test_typed_moves_number_tetrahedra_anew(self):
+        legal = pipe("Y = cPcbbbihq", "move Y 2-3 0 0", "move Y --list 3-2").stdout
+        legal = [line for line in legal.splitlines() if line.startswith("three_two")]
+        self.assertTrue(legal)
+        for move in legal:  # of three tetrahedra two are left, 0 and 1
+            for after in ("1-4 0", "1-4 1"):
+                self.assertIn("\ntetrahedra  5\n", pipe("Y = cPcbbbihq", "move Y 2-3 0 0", f"move Y {move} {after}").stdout)
+
+    def test_digits_name_the_same_moves(self):
+        same = (("2-3 0 0", "two_three 0 0"), ("1-4 1", "one_four 1"), ("0-2 0 1", "zero_two_face 0 1"),
+                ("0-2 0 0 1 1", "zero_two_edge 0 0 1 1"))
+        for digits, name in same:
+            a, b = (json.loads(pipe("Y = cPcbbbihq", f"move Y {move} --json").stdout.split("\n", 1)[1])["signature"]
+                    for move in (digits, name))
+            self.assertEqual(a, b)
+        # Undone by what it is the inverse of: a pillow blown up over a face collapses around its inner vertex.
+        done = pipe("Y = cPcbbbihq", "move Y 0-2 0 0", "move Y --list 2-0")
+        for move in [line for line in done.stdout.splitlines() if line.startswith("two_zero")]:
+            digits = re.sub("two_zero_[a-z]*", "2-0", move)
+            self.assertIn("signature   cPcbbbihq", pipe("Y = cPcbbbihq", "move Y 0-2 0 0", f"move Y {digits}").stdout)
+        self.assertIn("two_zero", done.stdout)
+
+    def test_all_legal_moves_are_listed(self):
+        """What can be made by any move with any numbers can be made by one that is listed."""
+        kinds = {"one_four": 1, "shell": 1, "four_one": 2, "two_zero_vertex": 2, "two_three": 2, "zero_two_face": 2,
+                 "open_book": 2, "three_two": 3, "two_zero_edge": 3, "close_book": 3, "merge": 3, "two_one": 3, "pinch": 3,
+                 "four_four": 4, "zero_two_edge": 4}
+        ball = '{"format":"tetrarch-triangulation","version":1,"tetrahedra":1,"gluings":[[null,null,null,null]]}'
+        book = ball.replace(":1,\"gluings\"", ":2,\"gluings\"").replace(
+            "[[null,null,null,null]]", '[[null,null,[1,"0123"],[1,"0123"]],[null,null,[0,"0123"],[0,"0123"]]]')
+        met = set()
+        for made in (["Y = cPcbbbihq"], ["Y = cMcabbgqw"], [f"Y = {ball}"], [f"Y = {ball}", "move Y 1-4 0"],
+                     [f"Y = {book}"], ["Y = cMcabbgqw", "move Y 1-4 0"], ["Y = cMcabbgqw", "move Y 1-4 0 pinch 0 0 1"],
+                     [f"Y = {ball}", "move Y 1-4 0 0-2 0 1"]):
+            decoder = json.JSONDecoder()
+            value = pipe(*made, "print Y").stdout.splitlines()[-1].removeprefix("Y = ")
+            text = pipe(f"info '{value}' --json", f"move '{value}' --list --json").stdout
+            info, end = decoder.raw_decode(text)
+            listed = decoder.raw_decode(text[end:].lstrip())[0]["moves"]
+            met |= {move.split()[0] for move in listed}
+            size = info["tetrahedra"]
+            every = []
+            for kind, numbers in kinds.items():
+                places = [(t, *rest) for t in range(size)
+                          for rest in itertools.product(*([range(4)] * min(numbers - 1, 2)))]
+                if numbers == 4:
+                    places = [(*place, last) for place in places for last in range(2 if kind == "four_four" else 12)]
+                every += [" ".join(map(str, (kind, *place))) for place in places]
+
+            def results(moves):
+                text = pipe(*(f"move '{value}' {move} --json" for move in moves)).stdout
+                found, answers = set(), 0
+                while text:
+                    result, end = decoder.raw_decode(text)
+                    text = text[end:].lstrip()
+                    answers += 1
+                    if "obstacle" not in result:
+                        found.add((result["signature"], result["tetrahedra"]))
+                self.assertEqual(answers, len(moves))
+                return found
+
+            every = [move for move in every if len(set(move.split()[2:4])) == len(move.split()[2:4])]
+            self.assertEqual(results(listed), results(every), made)
+        self.assertEqual(set(kinds) - met, set())
 
     def test_a_move_under_another_name_leaves_the_value(self):
         done = pipe("Y = cPcbbbihq", "Z = move Y 1-4 0", "print Y")
@@ -304,6 +393,7 @@ class Printing(unittest.TestCase):
                             for done in (first, again))
             self.assertEqual(len(first), len(made))
             self.assertEqual(again, first)
+            self.assertIn('"cell_of":', pipe("C = canonize cPcbbbihq", "print C").stdout)
             self.assertIn('"cell_of":', first[1])
             self.assertIn('"levels":', first[0])
 

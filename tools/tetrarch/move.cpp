@@ -12,8 +12,11 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <array>
 #include <memory>
+#include <set>
 #include <sstream>
+#include <utility>
 
 namespace tetrarch::program {
 namespace {
@@ -69,7 +72,16 @@ void require_there(const Complex& complex, const Move& move) {
                      ": there is none of that number among " + std::to_string(complex.size()));
 }
 
-/// What would be legal, each move once for the face or edge class that it is made at.
+/// The triangle and the edge in it that a pinch is made at, seen from the side of lesser number.
+std::array<int, 4> pinch_place(const Triangulation& tri, DirectedTetEdge e) {
+  const TetFace face = Walk{e.tet, edge_frame(e.from, e.to)}.left_face();
+  const std::array<int, 4> here{e.tet, face.face, e.from, e.to};
+  if (tri.is_boundary(face)) return here;
+  const Gluing g = tri.gluing(face);
+  return std::min(here, {g.tet, g.perm[face.face], g.perm[e.from], g.perm[e.to]});
+}
+
+/// What would be legal, each move once for the face, the edge class, or the pair of them that it is made at.
 moves::MoveLog legal_moves(const Triangulation& tri, const Progress& progress) {
   using Kind = moves::MoveKind;
   const Complex complex(tri);
@@ -78,8 +90,13 @@ moves::MoveLog legal_moves(const Triangulation& tri, const Progress& progress) {
   const auto try_move = [&](const Move& move) {
     if (!why_not_apply(complex, move)) legal.push_back(move);
   };
-  for (int t = 0; t < tri.size(); ++t)
+  std::set<std::array<int, 4>> pinched;
+  for (int t = 0; t < tri.size(); ++t) {
     for (const Kind kind : {Kind::one_four, Kind::shell}) try_move({kind, t});
+    for (const auto& [a, b] : edge_vertex)
+      for (const auto& [from, to] : {std::pair{a, b}, std::pair{b, a}})
+        if (pinched.insert(pinch_place(tri, {t, from, to})).second) try_move({Kind::pinch, t, from, to});
+  }
   for (const VertexId v : all<VertexId>(skeleton.vertex_count())) {
     const TetVertex at = skeleton.preimages(v).front();
     for (const Kind kind : {Kind::four_one, Kind::two_zero_vertex}) try_move({kind, at.tet, at.vertex});
@@ -96,13 +113,21 @@ moves::MoveLog legal_moves(const Triangulation& tri, const Progress& progress) {
     const DirectedTetEdge at{walk.tet, walk.from(), walk.to()};
     for (const Kind kind : {Kind::three_two, Kind::two_zero_edge, Kind::close_book})
       try_move({kind, at.tet, at.from, at.to});
-    for (const Kind kind : {Kind::merge, Kind::two_one, Kind::pinch}) {
+    for (const Kind kind : {Kind::merge, Kind::two_one}) {
       try_move({kind, at.tet, at.from, at.to});
       try_move({kind, at.tet, at.to, at.from});
     }
     for (const int axis : {0, 1}) try_move({Kind::four_four, at.tet, at.from, at.to, axis});
-    for (int turn = 1; turn < skeleton.valence(e); ++turn)
-      try_move({Kind::zero_two_edge, at.tet, at.from, at.to, turn});
+    // Between any two of the faces around the edge. Its direction tells which way round it goes, and in
+    // tetrahedra of the other handedness that is the other one.
+    const auto around = skeleton.around(e);
+    for (std::size_t k = 0; k < around.size(); ++k) {
+      const Walk& start = around[k];
+      const bool same = edge_frame(start.from(), start.to()) == start.hold;
+      for (std::size_t turn = 1; k + turn < around.size(); ++turn)
+        try_move({Kind::zero_two_edge, start.tet, same ? start.from() : start.to(),
+                  same ? start.to() : start.from(), static_cast<int>(turn)});
+    }
   }
   return legal;
 }
