@@ -83,11 +83,12 @@ LineEditor::LineEditor(const std::string& prompt, std::string history, Completer
   el_set(s.line, EL_EDITOR, "emacs");
   el_set(s.line, EL_SIGNAL, 0);
   el_set(s.line, EL_HIST, ::history, s.history);
-  el_set(s.line, EL_ADDFN, "tetrarch-complete", "complete a word", &State::completed);
+  // In wide letters, since libedit keeps the pointers; of narrow ones it makes copies that it never frees.
+  el_wset(s.line, EL_ADDFN, L"tetrarch-complete", L"complete a word", &State::completed);
   el_set(s.line, EL_BIND, "^I", "tetrarch-complete", nullptr);
   el_set(s.line, EL_BIND, "^R", "em-inc-search-prev", nullptr);
   // While a line is typed Ctrl-C is a key like others; while a job runs, a signal.
-  el_set(s.line, EL_ADDFN, "tetrarch-give-up", "give the line up", &State::given_up);
+  el_wset(s.line, EL_ADDFN, L"tetrarch-give-up", L"give the line up", &State::given_up);
   el_set(s.line, EL_SETTY, "-d", "-isig", nullptr);
   el_set(s.line, EL_BIND, "^C", "tetrarch-give-up", nullptr);
   el_source(s.line, nullptr); // the user's own ~/.editrc
