@@ -75,20 +75,28 @@ std::vector<std::string_view> words_of(std::string_view line) {
   }
 }
 
-/// "2-3" and the like stand for "two_three"; where a move is made at simplices of two kinds, the number of
-/// numbers tells which.
+struct Digits {
+  std::string_view digits;
+  std::string_view name;
+};
+constexpr std::array<Digits, 10> in_digits{{{"1-4", "one_four"},
+                                            {"4-1", "four_one"},
+                                            {"2-3", "two_three"},
+                                            {"3-2", "three_two"},
+                                            {"4-4", "four_four"},
+                                            {"2-1", "two_one"},
+                                            {"2-0", "two_zero_vertex"},
+                                            {"2-0", "two_zero_edge"},
+                                            {"0-2", "zero_two_face"},
+                                            {"0-2", "zero_two_edge"}}};
+
+/// What a word in digits stands for. Where that is a move at simplices of two kinds, the number of numbers
+/// tells which: at a vertex or face 2, at an edge more.
 std::string_view full_name(std::string_view word, std::size_t numbers) {
-  if (word == "2-0") return numbers == 2 ? "two_zero_vertex" : "two_zero_edge";
-  if (word == "0-2") return numbers == 2 ? "zero_two_face" : "zero_two_edge";
-  constexpr std::array<std::pair<std::string_view, std::string_view>, 6> names{{{"1-4", "one_four"},
-                                                                                {"4-1", "four_one"},
-                                                                                {"2-3", "two_three"},
-                                                                                {"3-2", "three_two"},
-                                                                                {"4-4", "four_four"},
-                                                                                {"2-1", "two_one"}}};
-  for (const auto& [digits, name] : names)
-    if (word == digits) return name;
-  return word;
+  std::string_view found = word;
+  for (const auto& [digits, name] : in_digits)
+    if (word == digits && (found == word || numbers != 2)) found = name;
+  return found;
 }
 
 /// Whether the local numbers name something in a tetrahedron.
@@ -140,6 +148,15 @@ std::string Move::str() const {
   return text;
 }
 
+std::vector<std::string> move_names() {
+  std::vector<std::string> names;
+  names.reserve(spellings.size() + in_digits.size());
+  for (const Spelling& how : spellings) names.emplace_back(how.name);
+  for (const Digits& spelled : in_digits)
+    if (names.back() != spelled.digits) names.emplace_back(spelled.digits);
+  return names;
+}
+
 bool is_called(const Move& move, std::string_view word) {
   const Spelling& how = spelling(move.kind);
   return how.name == full_name(word, static_cast<std::size_t>(numbers_needed(how.place)));
@@ -155,8 +172,8 @@ Move parse_move(std::string_view line) {
     throw InputError("found " + in_quotes(words[0]) + ", expected the name of a move");
   const int numbers = numbers_needed(how->place);
   if (static_cast<int>(words.size()) != 1 + numbers)
-    throw InputError("found " + std::to_string(words.size() - 1) + " numbers after " + in_quotes(words[0]) +
-                     ", expected " + std::to_string(numbers));
+    throw InputError("found " + std::to_string(words.size() - 1) + " after " + in_quotes(words[0]) +
+                     ", expected " + std::to_string(numbers) + (numbers == 1 ? " number" : " numbers"));
   Move move;
   move.kind = how->kind;
   const std::array<int*, 4> places{&move.tet, &move.a, &move.b, &move.n};

@@ -10,6 +10,7 @@
 #include "tetrarch/moves/pachner.hpp"
 
 #include <catch2/catch.hpp>
+#include <set>
 
 using namespace tetrarch;
 using namespace tetrarch::moves;
@@ -97,6 +98,20 @@ TEST_CASE("what is no move is refused as text", "[moves]") {
   CHECK(is_called({MoveKind::two_zero_vertex, 4, 1}, "2-0"));
   CHECK(is_called({MoveKind::two_three, 4, 1}, "two_three"));
   CHECK_FALSE(is_called({MoveKind::two_three, 4, 1}, "3-2"));
+  // Each name is taken by parse_move with some number of numbers, and is said once.
+  const std::vector<std::string> names = move_names();
+  CHECK(std::set<std::string>(names.begin(), names.end()).size() == names.size());
+  CHECK(names.size() == move_kind_count + 8);
+  for (const std::string& name : names) {
+    int taken = 0;
+    for (const char* numbers : {"", " 4", " 4 1", " 4 1 0", " 4 1 0 1"}) {
+      try {
+        taken += is_called(parse_move(name + numbers), name) ? 1 : 0;
+      } catch (const InputError&) {
+      }
+    }
+    CHECK(taken == (name == "2-0" || name == "0-2" ? 2 : 1));
+  }
 }
 
 TEST_CASE("the boundary stays as it is on request", "[moves]") {

@@ -78,7 +78,9 @@ class AtTheTerminal(unittest.TestCase):
                             ("info --se", "ed "), ("info Yar", "dstick "), ("census show fmp2_", ""), ("Z = tru", "ncate "),
                             ("check tests/data/mesh/double", "_torus.off "), ("info tests/da", "ta/"),
                             ("slit --distance tests/da", "ta/"), ("slit --distance Yar", "dstick "), ("slit --punch Yar", ""),
-                            ("slit -o Yar", ""), ("slit --punch tests/da", "")):
+                            ("slit -o Yar", ""), ("slit --punch tests/da", ""),
+                            ("move Yard", "stick "), ("move Y two_th", "ree "), ("move Y --list thr", "ee_two "),
+                            ("move Y 1-4 0 clo", "se_book "), ("Y = move Y op", "en_book "), ("move Y Yard", "")):
             t.type(begun + "\t|")
             moves = r"(?:[\r\x07]|\x1b\[\d*[A-Z])*"  # of the cursor
             t.child.expect(re.escape(begun.split()[-1]) + moves + re.escape(rest) + moves + r"\|")
@@ -274,7 +276,7 @@ class Moves(unittest.TestCase):
         """What can be made by any move with any numbers can be made by one that is listed."""
         kinds = {"one_four": 1, "shell": 1, "four_one": 2, "two_zero_vertex": 2, "two_three": 2, "zero_two_face": 2,
                  "open_book": 2, "three_two": 3, "two_zero_edge": 3, "close_book": 3, "merge": 3, "two_one": 3, "pinch": 3,
-                 "four_four": 4, "zero_two_edge": 4}
+                 "four_four": 4, "zero_two_edge": 4, "cone": 2}
         ball = '{"format":"tetrarch-triangulation","version":1,"tetrahedra":1,"gluings":[[null,null,null,null]]}'
         book = ball.replace(":1,\"gluings\"", ":2,\"gluings\"").replace(
             "[[null,null,null,null]]", '[[null,null,[1,"0123"],[1,"0123"]],[null,null,[0,"0123"],[0,"0123"]]]')
@@ -312,6 +314,14 @@ class Moves(unittest.TestCase):
             every = [move for move in every if len(set(move.split()[2:4])) == len(move.split()[2:4])]
             self.assertEqual(results(listed), results(every), made)
         self.assertEqual(set(kinds) - met, set())
+
+    def test_unknown_moves_get_the_nearest_suggested(self):
+        for line, message in (("move cPcbbbihq two_thre 0 1", "unknown move 'two_thre' (did you mean 'two_three'?)"),
+                              ("move cPcbbbihq --list mrge", "unknown move 'mrge' (did you mean 'merge'?)"),
+                              ("move cPcbbbihq 2-3 0", "found 1 after '2-3', expected 2 numbers"),
+                              ("move cPcbbbihq 1-4", "found 0 after '1-4', expected 1 number"),
+                              ("move cPcbbbihq 2-0 0", "found 1 after '2-0', expected 3 numbers")):
+            self.assertIn(message, pipe(line).stderr)
 
     def test_a_move_under_another_name_leaves_the_value(self):
         done = pipe("Y = cPcbbbihq", "Z = move Y 1-4 0", "print Y")

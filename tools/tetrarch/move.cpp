@@ -2,12 +2,14 @@
 #include "command.hpp"
 #include "info.hpp"
 #include "input.hpp"
+#include "nearest.hpp"
 #include "output.hpp"
 #include "text.hpp"
 
 #include "tetrarch/core/error.hpp"
 #include "tetrarch/core/skeleton.hpp"
 #include "tetrarch/format/text.hpp"
+#include "tetrarch/moves/boundary_moves.hpp"
 #include "tetrarch/moves/log.hpp"
 
 #include <CLI/CLI.hpp>
@@ -32,14 +34,22 @@ struct Options {
   bool list = false;
 };
 
+bool is_number(const std::string& word) {
+  return word.find_first_not_of("0123456789") == std::string::npos;
+}
+
+void require_known(const std::vector<std::string>& words) {
+  const std::vector<std::string> names = moves::move_names();
+  for (const std::string& word : words)
+    if (!is_number(word) && std::find(names.begin(), names.end(), word) == names.end())
+      throw InputError("unknown move " + in_quotes(word) + did_you_mean(word, names));
+}
+
 /// The moves in a row of words, each as `parse_move` has it.
 moves::MoveLog moves_in(const std::vector<std::string>& words) {
   moves::MoveLog log;
   for (std::size_t first = 0; first < words.size();) {
     std::size_t end = first + 1;
-    const auto is_number = [](const std::string& w) {
-      return w.find_first_not_of("0123456789") == std::string::npos;
-    };
     while (end < words.size() && is_number(words[end])) ++end;
     log.push_back(moves::parse_move(joined({words.begin() + static_cast<std::ptrdiff_t>(first),
                                             words.begin() + static_cast<std::ptrdiff_t>(end)},
@@ -81,7 +91,8 @@ std::array<int, 4> pinch_place(const Triangulation& tri, DirectedTetEdge e) {
   return std::min(here, {g.tet, g.perm[face.face], g.perm[e.from], g.perm[e.to]});
 }
 
-/// What would be legal, each move once for the face, the edge class, or the pair of them that it is made at.
+/// What would be legal, each move once for the face, the edge class, the pair of them or the boundary
+/// component that it is made at.
 moves::MoveLog legal_moves(const Triangulation& tri, const Progress& progress) {
   using Kind = moves::MoveKind;
   const Complex complex(tri);
@@ -129,6 +140,8 @@ moves::MoveLog legal_moves(const Triangulation& tri, const Progress& progress) {
                   same ? start.to() : start.from(), static_cast<int>(turn)});
     }
   }
+  for (const auto& component : boundary_faces(complex))
+    try_move({Kind::cone, component.front().tet, component.front().face});
   return legal;
 }
 
@@ -152,6 +165,7 @@ Result list_moves(const format::Document& document, const Options& options, cons
 /// a log keep their slots.
 Result make_moves(const Options& options, const Context& context) {
   if (!options.output.empty()) output_format(options.output);
+  require_known(options.words);
   format::Document document = read_triangulation(options.input, context);
   if (options.list) return list_moves(document, options, context);
   const moves::MoveLog log = options.log.empty() ? moves_in(options.words) : moves_in_file(options.log);

@@ -62,6 +62,9 @@ using MoveLog = std::vector<Move>;
 /// The move that a line spells. Throws InputError that says what was found and what was expected.
 Move parse_move(std::string_view line);
 
+/// All names that `parse_move` takes, each once: the long ones, then those in digits.
+std::vector<std::string> move_names();
+
 /// Whether a word is the name of the move, long or in digits: "2-0" is either of two kinds.
 bool is_called(const Move& move, std::string_view word);
 

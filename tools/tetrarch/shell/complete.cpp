@@ -2,10 +2,12 @@
 #include "complete.hpp"
 
 #include "tetrarch/census/manifold.hpp"
+#include "tetrarch/moves/log.hpp"
 
 #include <algorithm>
 #include <filesystem>
 #include <set>
+#include <utility>
 
 namespace tetrarch::program {
 namespace {
@@ -95,6 +97,12 @@ void add_names(std::set<std::string>& words, const Values& values) {
   for (const auto& [name, value] : values) words.insert(name);
 }
 
+/// Whether a word after the verb is no option.
+bool has_operand(const Words& words) {
+  return std::any_of(words.begin() + 1, words.end(),
+                     [](const std::string& w) { return !w.starts_with('-'); });
+}
+
 std::set<std::string> candidates(const Words& before, const std::string& begun, const Json& table,
                                  const Values& values) {
   std::set<std::string> words;
@@ -116,6 +124,10 @@ std::set<std::string> candidates(const Words& before, const std::string& begun, 
     return words;
   }
   const bool free = option == nullptr || (*option)["value"].is_null();
+  if (free && (*command)["name"] == "move" && has_operand(before)) {
+    for (std::string& name : moves::move_names()) words.insert(std::move(name));
+    return words;
+  }
   const std::string kind = free ? "" : (*option)["value"].get<std::string>();
   const bool mesh = kind == "SURFACE" || kind == "MESH";
   if (free || mesh) add_names(words, values);

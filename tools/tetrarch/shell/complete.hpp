@@ -18,8 +18,8 @@ struct Completions {
 };
 
 /// For the text left of the cursor. `table` is what `describe` gives. A command word becomes a verb or a
-/// value's name; after "-", an option; after an option with a few choices, those; else values' names, census
-/// names and files.
+/// value's name; after "-", an option; after an option with a few choices, those; after the value of `move`,
+/// names of moves; else values' names, census names and files.
 Completions complete(std::string_view text, const Json& table, const Values& values);
 
 /// What all the words begin with.
