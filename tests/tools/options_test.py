@@ -78,6 +78,19 @@ class Triangulations(Options):
         self.assertEqual(len(json.loads(self.read("first.json"))["relators"]), len(made["relators"]))
         self.assertEqual(self.good("group", first)["abelianized"], self.good("info", "fmp3_77")["homology"])
 
+    def test_what_a_group_file_says_besides_stays(self):
+        said = {"format": "tetrarch-group", "version": 1, "name": "Z/2 in two letters", "generators": 2,
+                "relators": [[1, 1, 2], [2]], "provenance": {"by": "hand"}, "colour": ["red", 7]}
+        with open(self.path("said.json"), "w", encoding="utf-8") as file:
+            json.dump(said, file)
+        self.good("group", self.path("said.json"), "--as-given", "-o", self.path("kept.json"))
+        self.assertEqual(json.loads(self.read("kept.json")), said)
+        # Simplified it is another presentation of the same group.
+        self.good("group", self.path("said.json"), "-o", self.path("made.json"))
+        made = json.loads(self.read("made.json"))
+        self.assertEqual((made["name"], made["generators"], made["relators"]), (said["name"], 1, [[1, 1]]))
+        self.assertNotIn("colour", made)
+
     def test_a_format_for_standard_output(self):
         self.assertEqual(run("convert", "cPcbbbihq", "--to", "sig").stdout, "cPcbbbihq\n")
         self.assertTrue(run("convert", "cPcbbbiht", "--to", "tri").stdout.startswith("% Triangulation"))

@@ -368,7 +368,7 @@ class Moves(unittest.TestCase):
 class Printing(unittest.TestCase):
     def test_what_is_printed_can_be_pasted(self):
         lines = ["Y = truncate tests/data/knotted_y_8k.mesh", "H = hyperbolize Y", "G = group Y", "S = cPcbbbihq",
-                 "N = fmp3_100"]
+                 "N = fmp3_100", "L = tests/data/frozen/1/group.json"]
         printed = [line for line in pipe(*lines, "print").stdout.splitlines() if re.match("[A-Z] = ", line)]
         self.assertEqual(len(printed), len(lines))
         again = [line for line in pipe(*printed, "print").stdout.splitlines() if re.match("[A-Z] = ", line)]

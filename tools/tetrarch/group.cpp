@@ -22,7 +22,8 @@ Json words_json(const algebra::Presentation& group) {
 Result describe_group(const std::string& input, bool as_given, const std::string& output,
                       const Context& context) {
   require_folder(output);
-  algebra::Presentation group = read_group(input, context, as_given);
+  format::GroupDocument document = read_group(input, context, as_given);
+  const algebra::Presentation group = presentation_of(document);
   const std::string homology = abelianized(group).str();
   Result result;
   result.json["presentation"] = group.str();
@@ -35,10 +36,8 @@ Result describe_group(const std::string& input, bool as_given, const std::string
                        {"generators", std::to_string(group.generators)},
                        {"relators", std::to_string(group.relators.size())},
                        {"abelianized", homology}});
-  if (!output.empty())
-    result.files.push_back(
-        {output, write_group_json(format::GroupDocument{group.generators, group.relators, {}, {}, {}})});
-  result.value = std::make_shared<Value>(std::move(group));
+  if (!output.empty()) result.files.push_back({output, write_group_json(document)});
+  result.value = std::make_shared<Value>(std::move(document));
   return result;
 }
 

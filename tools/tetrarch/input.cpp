@@ -78,8 +78,8 @@ bool is_group(const std::string& text) {
          text.substr(first, 2) != "<?";
 }
 
-algebra::Presentation presentation_of(format::GroupDocument document) {
-  return {document.generators, std::move(document.relators)};
+format::GroupDocument group_document(algebra::Presentation group, std::string name = {}) {
+  return {group.generators, std::move(group.relators), std::move(name), {}, {}};
 }
 
 /// A triangulation that is written out in the argument itself.
@@ -113,8 +113,8 @@ std::optional<format::MeshDocument> mesh_in(const std::string& path, std::string
 
 /// A mesh, a group or a triangulation, whatever the text is.
 Value value_in(const std::string& text, const std::string& source) {
-  if (is_group(text)) return algebra::parse_presentation(text, source);
-  if (format::looks_like_group_json(text)) return presentation_of(format::read_group_json(text, source));
+  if (is_group(text)) return group_document(algebra::parse_presentation(text, source));
+  if (format::looks_like_group_json(text)) return format::read_group_json(text, source);
   if (format::looks_like_mesh_json(text)) return format::read_mesh_json(text, source);
   return format::read_any(text, source);
 }
@@ -152,18 +152,23 @@ format::Soup read_soup(const std::string& argument, const Context& context) {
   return format::read_soup_file(argument);
 }
 
-algebra::Presentation read_group(const std::string& argument, const Context& context, bool as_given) {
+format::GroupDocument read_group(const std::string& argument, const Context& context, bool as_given) {
   const ValuePointer value = read_value(argument, context);
-  algebra::Presentation group;
-  if (const auto* held = std::get_if<algebra::Presentation>(value.get())) {
+  format::GroupDocument group;
+  if (const auto* held = std::get_if<format::GroupDocument>(value.get())) {
     group = *held;
   } else {
     const format::Document document = triangulation_of(argument, *value, context);
     require_manifold(document.triangulation, argument);
     const Skeleton skeleton(document.triangulation);
-    group = algebra::dual_presentation(document.triangulation, skeleton).presentation;
+    group = group_document(algebra::dual_presentation(document.triangulation, skeleton).presentation);
   }
-  return as_given ? group : simplified(group, {}, context.progress);
+  return as_given ? group
+                  : group_document(simplified(presentation_of(group), {}, context.progress), group.name);
+}
+
+algebra::Presentation presentation_of(const format::GroupDocument& group) {
+  return {group.generators, group.relators};
 }
 
 ValuePointer read_value(const std::string& argument, const Context& context) {

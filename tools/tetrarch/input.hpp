@@ -7,7 +7,9 @@
 
 #include "command.hpp"
 
+#include "tetrarch/algebra/group.hpp"
 #include "tetrarch/format/document.hpp"
+#include "tetrarch/format/group_json.hpp"
 #include "tetrarch/format/soup.hpp"
 
 #include <string>
@@ -26,9 +28,12 @@ format::Document triangulation_of(const std::string& name, const Value& value, c
 /// The same where a mesh or a surface is expected, as it stands in its file.
 format::Soup read_soup(const std::string& argument, const Context& context);
 
-/// A group value, a presentation spelled out ("< a, b | abAB >"), or the fundamental group of a manifold;
-/// simplified unless wanted as it is given.
-algebra::Presentation read_group(const std::string& argument, const Context& context, bool as_given);
+/// A group value, a presentation spelled out ("< a, b | abAB >"), or the fundamental group of a manifold. As
+/// it is given it keeps all that its file says; simplified it keeps its name only.
+format::GroupDocument read_group(const std::string& argument, const Context& context, bool as_given);
+
+/// The group without what its file says besides.
+algebra::Presentation presentation_of(const format::GroupDocument& group);
 
 /// Whatever it is: a mesh stays a mesh, any other text is a triangulation or a group ("< a, b | abAB >").
 ValuePointer read_value(const std::string& argument, const Context& context);

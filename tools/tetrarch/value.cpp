@@ -7,7 +7,7 @@ namespace tetrarch::program {
 
 std::string kind_of(const Value& value) {
   if (std::holds_alternative<format::Document>(value)) return "triangulation";
-  if (std::holds_alternative<algebra::Presentation>(value)) return "group";
+  if (std::holds_alternative<format::GroupDocument>(value)) return "group";
   const auto& mesh = std::get<format::MeshDocument>(value);
   return mesh.soup.tetrahedra.empty() && mesh.hexahedra.empty() ? "surface" : "mesh";
 }

@@ -3,8 +3,8 @@
 
 /// What a session can give a name to.
 
-#include "tetrarch/algebra/group.hpp"
 #include "tetrarch/format/document.hpp"
+#include "tetrarch/format/group_json.hpp"
 #include "tetrarch/format/mesh_json.hpp"
 
 #include <functional>
@@ -17,7 +17,7 @@
 namespace tetrarch::program {
 
 /// A triangulation (with its metric, if it has one), a mesh or surface (with its fields), a group.
-using Value = std::variant<format::Document, format::MeshDocument, algebra::Presentation>;
+using Value = std::variant<format::Document, format::MeshDocument, format::GroupDocument>;
 
 /// Values never change; a name may come to mean another one.
 using ValuePointer = std::shared_ptr<const Value>;

@@ -2,6 +2,7 @@
 #include "value_text.hpp"
 
 #include "../command.hpp"
+#include "../input.hpp"
 #include "../text.hpp"
 
 #include "tetrarch/core/error.hpp"
@@ -34,8 +35,9 @@ std::string summary_of(const format::MeshDocument& mesh) {
   return text + (fields.empty() ? "" : ", with " + joined(fields, ", "));
 }
 
-std::string summary_of(const algebra::Presentation& group) {
-  return "group on " + counted(group.generators, "generator") + " with " +
+std::string summary_of(const format::GroupDocument& group) {
+  return (group.name.empty() ? "" : group.name + ", ") + "group on " +
+         counted(group.generators, "generator") + " with " +
          counted(static_cast<long long>(group.relators.size()), "relator");
 }
 
@@ -52,8 +54,10 @@ std::string spelled_of(const format::Document& document) {
   return Json::parse(format::write_json(document)).dump();
 }
 
-std::string spelled_of(const algebra::Presentation& group) {
-  return group.str();
+std::string spelled_of(const format::GroupDocument& group) {
+  if (group.name.empty() && group.provenance.is_null() && group.members.is_null())
+    return presentation_of(group).str();
+  return Json::parse(write_group_json(group)).dump();
 }
 
 bool is_short(const format::MeshDocument& mesh) {
