@@ -527,6 +527,9 @@ class Manners(unittest.TestCase):
         self.assertEqual(done.returncode, 0)
         for library in ("Boost", "Eigen", "GMP", "MPFR", "nlohmann-json", "CLI11", "pugixml", "zlib"):
             self.assertIn(library, done.stdout)
+        linked = subprocess.run(["ldd", PROGRAM], capture_output=True, text=True).stdout
+        for library in ("CHOLMOD", "libedit"):
+            self.assertEqual(f", {library} " in done.stdout, f"lib{library.removeprefix('lib').lower()}.so" in linked)
 
     def test_an_interrupted_job_leaves_no_file(self):
         with tempfile.TemporaryDirectory() as folder:

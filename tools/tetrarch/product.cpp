@@ -3,34 +3,30 @@
 #include "in_file.hpp"
 #include "input.hpp"
 #include "output.hpp"
+#include "product_files.hpp"
 #include "product_partition.hpp"
 #include "product_report.hpp"
 #include "text.hpp"
 #include "vertex_names.hpp"
 
 #include "tetrarch/core/error.hpp"
-#include "tetrarch/format/medit.hpp"
 #include "tetrarch/format/mesh_files.hpp"
-#include "tetrarch/format/mesh_json.hpp"
 #include "tetrarch/format/text.hpp"
 #include "tetrarch/mesh/repair.hpp"
 #include "tetrarch/mesh/validate.hpp"
 #include "tetrarch/product/polycube.hpp"
 #include "tetrarch/scene/files.hpp"
 #include "tetrarch/scene/page.hpp"
-#include "tetrarch/scene/product.hpp"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
 #include <memory>
-#include <optional>
 
 namespace tetrarch::program {
 namespace {
 
 using product::Point;
-using scene::SceneFormat;
 
 struct Options {
   std::string input;
@@ -51,19 +47,6 @@ struct Options {
   std::string weights = "auto";
   bool anyway = false;
   bool repair = false;
-};
-
-/// A solid with all that is told of it.
-struct Made {
-  product::Prepared at;
-  std::vector<Point> uvw;
-  std::vector<std::vector<Point>> fibers;   ///< in space
-  std::vector<std::vector<Point>> straight; ///< the same in the domain
-  std::optional<product::SolidHexahedra> hexahedra;
-  std::vector<double> scaled_jacobian;
-  int cells = 0; ///< of the grid: hexahedra in a layer
-  Report report;
-  Status status = Status::done;
 };
 
 void check(const Options& options) {
@@ -127,7 +110,8 @@ product::FloorOptions floor_options(const Options& options) {
 }
 
 /// Some of the fibres, from vertices of the floor that are spread over it.
-void add_fibers(Made& made, const product::FiberField& field, const product::FloorMap& floor, int count) {
+void add_fibers(ProductMade& made, const product::FiberField& field, const product::FloorMap& floor,
+                int count) {
   const std::size_t all = floor.vertex.size();
   const std::size_t wanted = std::min(all, static_cast<std::size_t>(count));
   for (std::size_t k = 0; k < wanted; ++k) {
@@ -143,7 +127,7 @@ void add_fibers(Made& made, const product::FiberField& field, const product::Flo
 }
 
 /// Smoothed if wanted, measured and told.
-void add_quality(Made& made, const Options& options, const Progress& progress) {
+void add_quality(ProductMade& made, const Options& options, const Progress& progress) {
   product::HexQuality quality = product::quality(made.hexahedra->mesh);
   if (options.smooth) {
     const product::HexQuality before = std::move(quality);
@@ -156,7 +140,7 @@ void add_quality(Made& made, const Options& options, const Progress& progress) {
   made.scaled_jacobian = std::move(quality.scaled_jacobian);
 }
 
-void add_hexahedra(Made& made, const product::FiberField& field, const product::FloorMap& floor,
+void add_hexahedra(ProductMade& made, const product::FiberField& field, const product::FloorMap& floor,
                    const Options& options, const Context& context) {
   const product::FloorGrid grid =
       product::floor_grid(floor.height, floor.rectangles, {.across = options.hex});
@@ -172,7 +156,7 @@ void add_hexahedra(Made& made, const product::FiberField& field, const product::
 }
 
 /// Vertex k of the file is the image of vertex k of the solid; those inside are passed over.
-void add_polycube(Made& made, const product::Solid& solid, const product::Partition& partition,
+void add_polycube(ProductMade& made, const product::Solid& solid, const product::Partition& partition,
                   const Options& options, const Context& context) {
   const format::Soup soup = read_soup(options.polycube, context);
   std::vector<Point> image;
@@ -199,7 +183,7 @@ void add_polycube(Made& made, const product::Solid& solid, const product::Partit
 }
 
 /// Fibres and what hangs on them, of a field without critical places.
-void add_coordinates(Made& made, const product::FloorMap& floor, const product::HarmonicField& field,
+void add_coordinates(ProductMade& made, const product::FloorMap& floor, const product::HarmonicField& field,
                      const Options& options, const Context& context) {
   const product::FiberField fibers(made.at.solid, made.at.partition, field.w,
                                    options.follow == "gradient" ? product::Direction::gradient
@@ -233,8 +217,8 @@ Field solved(const product::Prepared& at, double height, const Options& options,
   return field;
 }
 
-Made make(const Options& options, const Context& context) {
-  Made made;
+ProductMade make(const Options& options, const Context& context) {
+  ProductMade made;
   const format::Soup soup = read(options, made.report, context);
   mesh::TetMesh mesh = mesh_of(soup);
   PartitionedSolid start = in_file(options.input, [&] {
@@ -270,99 +254,20 @@ Made make(const Options& options, const Context& context) {
   return made;
 }
 
-scene::Scene hexahedra_scene(const Made& made, const std::string& title, SceneFormat format) {
-  scene::HexahedraData data{made.scaled_jacobian, {}};
-  // Where some are left out a layer has no fixed number of cells, and polycubes have none; then -1 is told.
-  const std::size_t count = made.hexahedra->mesh.hexahedra.size();
-  for (std::size_t k = 0; k < count; ++k)
-    data.layer.push_back(made.cells > 0 && made.hexahedra->left_out == 0 ? static_cast<int>(k) / made.cells
-                                                                         : -1);
-  scene::Scene scene{title, {}, {}, {}, {}};
-  scene.cells.push_back(scene::hexahedra(made.hexahedra->mesh.points, made.hexahedra->mesh.hexahedra, data));
-  if (format != SceneFormat::vtu) scene.tubes.push_back(scene::outer_edges(scene.cells.front()));
-  return scene;
-}
-
-scene::Scene product_scene(const Made& made, const std::string& title, bool in_domain, bool with_cells) {
-  scene::Scene scene{title, {}, {}, {}, {}};
-  const product::Solid& solid = made.at.solid;
-  scene.surfaces.push_back(in_domain ? scene::domain_surface(solid, made.at.partition, made.uvw)
-                                     : scene::boundary_surface(solid, made.at.partition, made.uvw));
-  if (!made.fibers.empty()) scene.tubes.push_back(scene::fibers(in_domain ? made.straight : made.fibers));
-  if (with_cells)
-    scene.cells.push_back(in_domain ? scene::domain_cells(solid, made.uvw)
-                                    : scene::product_cells(solid, made.uvw));
-  return scene;
-}
-
-/// The tetrahedra, those of edges split included, and the boundary with its patches: 1 floor, 2 ceiling, 3
-/// and on walls.
-format::Soup labelled_mesh(const Made& made) {
-  const product::Solid& solid = made.at.solid;
-  format::Soup soup;
-  soup.points = solid.mesh.points;
-  soup.tetrahedra = solid.mesh.tetrahedra;
-  for (int t = 0; t < solid.boundary.triangle_count(); ++t) {
-    soup.triangles.push_back({solid.corner(t, 0), solid.corner(t, 1), solid.corner(t, 2)});
-    soup.triangle_tags.push_back(made.at.partition.patch[t] + 1);
-  }
-  return soup;
-}
-
-/// The hexahedra, or the tetrahedra with the coordinates of their vertices in the domain.
-format::MeshDocument document(const Made& made, const Options& options) {
-  using On = format::MeshField::On;
-  format::MeshDocument mesh;
-  if (made.hexahedra) {
-    mesh.soup.points = made.hexahedra->mesh.points;
-    mesh.hexahedra = made.hexahedra->mesh.hexahedra;
-    mesh.fields = {field_of("scaled_jacobian", On::hexahedra, made.scaled_jacobian)};
-  } else {
-    mesh.soup = labelled_mesh(made);
-    mesh.fields = {field_of("uvw", On::vertices, made.uvw)};
-  }
-  mesh.provenance = {{"command", "product"}, {"input", options.input}, {"floor_map", options.floor_map}};
-  return mesh;
-}
-
-std::string page(const Made& made, const std::string& title) {
-  scene::InfoTable table{"Product", {}, {}};
-  for (const auto& [name, value] : made.report.rows) table.rows.push_back({name, value});
-  // How far walls are from conformal says nothing: u and v run along the floor.
-  return scene::write_page(scene::TexturePage{title,
-                                              {std::move(table)},
-                                              product_scene(made, "solid", false, false),
-                                              product_scene(made, "domain", true, false),
-                                              "Fibres",
-                                              1.0});
-}
-
-std::string file(const std::string& path, const Made& made, const Options& options) {
-  if (format::has_extension(path, ".mesh"))
-    return made.hexahedra
-               ? format::write_medit_hexahedra(made.hexahedra->mesh.points, made.hexahedra->mesh.hexahedra)
-               : format::write_medit(labelled_mesh(made));
-  if (format::has_extension(path, ".json")) return write_mesh_json(document(made, options));
-  if (format::has_extension(path, ".html")) return page(made, options.input);
-  const SceneFormat format = *scene::scene_format_for_extension(path);
-  return scene::write_scene(made.hexahedra ? hexahedra_scene(made, options.input, format)
-                                           : product_scene(made, options.input, options.show == "domain",
-                                                           format == SceneFormat::vtu),
-                            format);
-}
-
 Result run_product(const Options& options, const Context& context) {
   check(options);
   const auto start = std::chrono::steady_clock::now();
-  Made made = make(options, context);
+  ProductMade made = make(options, context);
   made.report.json["seconds"] =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   Result result;
   result.status = made.status;
+  const ProductTitle title{options.input, options.floor_map};
   if (!made.uvw.empty())
-    for (const std::string& path : options.outputs) result.files.push_back({path, file(path, made, options)});
+    for (const std::string& path : options.outputs)
+      result.files.push_back({path, product_file(path, made, title, options.show == "domain")});
   if (!made.uvw.empty() && context.values != nullptr)
-    result.value = std::make_shared<Value>(document(made, options));
+    result.value = std::make_shared<Value>(product_document(made, title));
   result.text = block(made.report.rows);
   result.json = std::move(made.report.json);
   result.warnings = std::move(made.report.warnings);

@@ -9,12 +9,30 @@
 #include <nlohmann/json.hpp>
 #include <pugixml.hpp>
 #include <zlib.h>
+#ifdef TETRARCH_HAS_CHOLMOD
+#include <cholmod.h>
+#endif
+#ifdef TETRARCH_HAS_LIBEDIT
+#include <histedit.h>
+#endif
 
 namespace tetrarch::program {
 namespace {
 
 std::string dotted(int a, int b, int c) {
   return std::to_string(a) + "." + std::to_string(b) + "." + std::to_string(c);
+}
+
+/// Those that the program can be built without.
+std::string optional_libraries() {
+  std::string text;
+#ifdef TETRARCH_HAS_CHOLMOD
+  text += ", CHOLMOD " + dotted(CHOLMOD_MAIN_VERSION, CHOLMOD_SUB_VERSION, CHOLMOD_SUBSUB_VERSION);
+#endif
+#ifdef TETRARCH_HAS_LIBEDIT
+  text += ", libedit " + std::to_string(LIBEDIT_MAJOR) + "." + std::to_string(LIBEDIT_MINOR);
+#endif
+  return text;
 }
 
 } // namespace
@@ -28,7 +46,7 @@ std::string version_text() {
          dotted(NLOHMANN_JSON_VERSION_MAJOR, NLOHMANN_JSON_VERSION_MINOR, NLOHMANN_JSON_VERSION_PATCH) +
          ", CLI11 " CLI11_VERSION ", pugixml " +
          dotted(PUGIXML_VERSION / 1000, PUGIXML_VERSION / 10 % 100, PUGIXML_VERSION % 10) + ", zlib " +
-         zlibVersion();
+         zlibVersion() + optional_libraries();
 }
 
 } // namespace tetrarch::program
