@@ -6,6 +6,7 @@
 #include "tetrarch/product/field.hpp"
 #include "tetrarch/product/product.hpp"
 
+#include "for_each.hpp"
 #include "homology.hpp"
 #include "levels.hpp"
 #include "patches.hpp"
@@ -255,23 +256,31 @@ Automatic built(const Search& search, const Candidate& c) {
   return {search.solid, std::move(found), value, how};
 }
 
+/// The best partition with this axis; its score is negative if there is none.
+Candidate best_along(const Search& search, const std::vector<Vector>& normal, const Vector& axis,
+                     int smoothing) {
+  Candidate best;
+  const CornerValues values = along(search, normal, axis);
+  for (const double threshold : search.options.thresholds) {
+    const std::vector<int> base = bases_beyond(search.solid, values, threshold);
+    const std::optional<Partition> found = accepted(search.solid, base, search.homology);
+    if (!found) continue;
+    const double value = score(search.solid, *found);
+    if (value > best.score) best = {axis, threshold, smoothing, value};
+  }
+  return best;
+}
+
 std::optional<Automatic> by_axes(const Search& search, const Progress& progress) {
   const std::vector<Vector> all = axes(search);
   for (const int smoothing : search.options.smoothings) {
     const std::vector<Vector> normal = smoothed_normals(search, smoothing);
-    Candidate best;
-    for (std::size_t k = 0; k < all.size(); ++k) {
-      progress.step("axes", static_cast<double>(k) / static_cast<double>(all.size()));
-      const CornerValues values = along(search, normal, all[k]);
-      for (const double threshold : search.options.thresholds) {
-        const std::vector<int> base = bases_beyond(search.solid, values, threshold);
-        const std::optional<Partition> found = accepted(search.solid, base, search.homology);
-        if (!found) continue;
-        const double value = score(search.solid, *found);
-        if (value > best.score) best = {all[k], threshold, smoothing, value};
-      }
-    }
-    if (best.score >= 0) return built(search, best);
+    std::vector<Candidate> found(all.size());
+    for_each(static_cast<int>(all.size()), search.options.threads, 1, progress, "axes",
+             [&](int k) { found[k] = best_along(search, normal, all[k], smoothing); });
+    const auto best = std::max_element(
+        found.begin(), found.end(), [](const Candidate& a, const Candidate& b) { return a.score < b.score; });
+    if (best->score >= 0) return built(search, *best);
   }
   return {};
 }

@@ -15,25 +15,62 @@ using mesh::SideEnd;
 
 constexpr int most_rounds = 20;
 
-/// The boundary torn between bases and walls.
-struct Torn {
-  mesh::Surface surface;
-  mesh::Parts parts;
-};
+/// Connected pieces of one base or of wall.
+mesh::Parts pieces(const Solid& solid, const std::vector<int>& base) {
+  mesh::Parts found{0, std::vector<int>(base.size(), -1)};
+  std::vector<int> reached;
+  for (std::size_t t = 0; t < base.size(); ++t) {
+    if (found.of[t] >= 0) continue;
+    const int piece = found.count++;
+    found.of[t] = piece;
+    reached.assign(1, static_cast<int>(t));
+    while (!reached.empty()) {
+      const int here = reached.back();
+      reached.pop_back();
+      for (const Side s : mesh::sides_of(here)) {
+        const int next = solid.boundary.mate(s).triangle();
+        if (found.of[next] >= 0 || base[next] != base[here]) continue;
+        found.of[next] = piece;
+        reached.push_back(next);
+      }
+    }
+  }
+  return found;
+}
 
-Torn torn_between(const Solid& solid, const std::vector<int>& base) {
-  Torn torn{solid.boundary, {}};
+bool is_rim(const Solid& solid, const std::vector<int>& base, Side s) {
+  return base[s.triangle()] != base[solid.boundary.mate(s).triangle()];
+}
+
+/// For each vertex 1 if it is on a rim.
+std::vector<char> on_rims(const Solid& solid, const std::vector<int>& base) {
+  std::vector<char> on(static_cast<std::size_t>(solid.boundary.vertex_count()), 0);
   for (int t = 0; t < solid.boundary.triangle_count(); ++t)
     for (const Side s : mesh::sides_of(t))
-      if (base[t] != base[solid.boundary.mate(s).triangle()] && !torn.surface.is_boundary(s))
-        torn.surface.unglue(s);
-  torn.parts = mesh::parts(torn.surface);
-  return torn;
+      if (is_rim(solid, base, s)) on[solid.boundary.from(s)] = on[solid.boundary.to(s)] = 1;
+  return on;
+}
+
+/// Twice the Euler characteristic of each piece with its rims torn apart, so that each piece is a surface
+/// whose boundary has as many vertices as sides: V - E + F = I + B - (3 F + B) / 2 + F with I vertices inside
+/// and B sides on rims.
+std::vector<int> twice_euler(const Solid& solid, const std::vector<int>& base, const mesh::Parts& pieces) {
+  std::vector<int> twice(static_cast<std::size_t>(pieces.count), 0);
+  std::vector<char> counted = on_rims(solid, base);
+  for (int t = 0; t < solid.boundary.triangle_count(); ++t) {
+    int& sum = twice[pieces.of[t]];
+    --sum;
+    for (const Side s : mesh::sides_of(t)) {
+      if (is_rim(solid, base, s)) ++sum;
+      if (!std::exchange(counted[solid.boundary.apex(s)], 1)) sum += 2;
+    }
+  }
+  return twice;
 }
 
 /// Each base keeps its largest piece.
 bool drop_crumbs(const Solid& solid, std::vector<int>& base, const std::vector<Point>& areas) {
-  const mesh::Parts parts = torn_between(solid, base).parts;
+  const mesh::Parts parts = pieces(solid, base);
   std::vector<double> area(static_cast<std::size_t>(parts.count), 0.0);
   for (std::size_t t = 0; t < base.size(); ++t) area[parts.of[t]] += vectors::norm(areas[t]);
   std::array<int, 2> largest{-1, -1};
@@ -53,14 +90,20 @@ bool drop_crumbs(const Solid& solid, std::vector<int>& base, const std::vector<P
 
 /// Disks of wall, which border on one base only.
 bool fill_holes(const Solid& solid, std::vector<int>& base) {
-  const Torn torn = torn_between(solid, base);
-  const std::vector<mesh::Part> pieces = mesh::split(torn.surface, torn.parts);
+  const mesh::Parts parts = pieces(solid, base);
+  // The boundary of a solid is orientable.
+  const std::vector<int> twice = twice_euler(solid, base, parts);
+  std::vector<int> filled(static_cast<std::size_t>(parts.count), -1);
+  for (int t = 0; t < solid.boundary.triangle_count(); ++t) {
+    int& with = filled[parts.of[t]];
+    if (base[t] >= 0 || twice[parts.of[t]] != 2 || with >= 0) continue;
+    for (const Side s : mesh::sides_of(t))
+      if (with < 0 && is_rim(solid, base, s)) with = base[solid.boundary.mate(s).triangle()];
+  }
   bool changed = false;
-  for (const mesh::Part& piece : pieces) {
-    if (base[piece.triangles.front()] >= 0 || !mesh::type_of(piece.surface).is_disk()) continue;
-    const SideEnd rim = mesh::boundary_curves(piece.surface).front().front();
-    const int around = base[solid.boundary.mate(piece.in_whole(rim.side)).triangle()];
-    for (const int t : piece.triangles) base[t] = around;
+  for (std::size_t t = 0; t < base.size(); ++t) {
+    if (filled[parts.of[t]] < 0) continue;
+    base[t] = filled[parts.of[t]];
     changed = true;
   }
   return changed;
@@ -69,10 +112,12 @@ bool fill_holes(const Solid& solid, std::vector<int>& base) {
 /// Around each vertex: at most one run of a base.
 bool open_pinches(const Solid& solid, std::vector<int>& base) {
   std::vector<char> seen(static_cast<std::size_t>(solid.boundary.vertex_count()), 0);
+  std::vector<char> on_rim = on_rims(solid, base);
   bool changed = false;
   for (int t = 0; t < solid.boundary.triangle_count(); ++t)
     for (const Side s : mesh::sides_of(t)) {
-      if (std::exchange(seen[solid.boundary.vertex({s, true})], 1)) continue;
+      const int v = solid.boundary.vertex({s, true});
+      if (std::exchange(seen[v], 1) || !on_rim[v]) continue;
       const std::vector<SideEnd> around = mesh::fan(solid.boundary, {s, true});
       int changes = 0;
       std::array<bool, 2> met{};
@@ -82,7 +127,10 @@ bool open_pinches(const Solid& solid, std::vector<int>& base) {
         changes += here != base[around[(k + 1) % around.size()].side.triangle()] ? 1 : 0;
       }
       if (changes <= 2 && !(met[0] && met[1])) continue;
-      for (const SideEnd e : around) base[e.side.triangle()] = -1;
+      for (const SideEnd e : around) {
+        base[e.side.triangle()] = -1;
+        for (const int corner : solid.boundary.corners(e.side.triangle())) on_rim[corner] = 1;
+      }
       changed = true;
     }
   return changed;

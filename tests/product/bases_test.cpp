@@ -201,4 +201,11 @@ TEST_CASE("Without help a smooth solid is divided by the way it faces, rims bein
   CHECK(found->solid.size() > whole.size());
   for (std::size_t v = 0; v < whole.mesh.points.size(); ++v)
     REQUIRE(found->solid.mesh.points[v] == whole.mesh.points[v]);
+  AutomaticOptions options;
+  options.threads = 3;
+  const auto again = automatic_partition(whole, options);
+  REQUIRE(again);
+  CHECK(again->how == found->how);
+  CHECK(again->solid.mesh.points == found->solid.mesh.points);
+  CHECK(again->partition.patch == found->partition.patch);
 }

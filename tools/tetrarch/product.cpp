@@ -222,7 +222,7 @@ ProductMade make(const Options& options, const Context& context) {
   const format::Soup soup = read(options, made.report, context);
   mesh::TetMesh mesh = mesh_of(soup);
   PartitionedSolid start = in_file(options.input, [&] {
-    return partitioned(product::solid(std::move(mesh)), soup, options.partition, context.progress);
+    return partitioned(product::solid(std::move(mesh)), soup, options.partition, context);
   });
   made.report.add(partition_report(start.solid, start.partition, start.how));
   if (!options.polycube.empty()) add_polycube(made, start.solid, start.partition, options, context);

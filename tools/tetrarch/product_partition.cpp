@@ -100,11 +100,11 @@ int outer_triangle(const product::Solid& solid, const std::vector<int>& base, co
 } // namespace
 
 PartitionedSolid partitioned(product::Solid solid, const format::Soup& soup, const PartitionOptions& options,
-                             const Progress& progress) {
+                             const Context& context) {
   std::string how;
   std::vector<int> base = pointed_out(solid, soup, options, how);
   if (base.empty()) {
-    auto found = product::automatic_partition(solid, {}, progress);
+    auto found = product::automatic_partition(solid, {.threads = context.threads}, context.progress);
     if (!found)
       throw InputError("no partition was found without help, which proves nothing; --floor and --ceiling, "
                        "--labels, --cycle or --tunnel tell one");

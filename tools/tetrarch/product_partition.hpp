@@ -3,7 +3,8 @@
 
 /// Where the partition of a solid's boundary comes from.
 
-#include "tetrarch/core/progress.hpp"
+#include "command.hpp"
+
 #include "tetrarch/format/soup.hpp"
 #include "tetrarch/product/partition.hpp"
 
@@ -32,6 +33,6 @@ struct PartitionedSolid {
 
 /// `soup` is that of the solid: its triangles may have labels. Throws InputError.
 PartitionedSolid partitioned(product::Solid solid, const format::Soup& soup, const PartitionOptions& options,
-                             const Progress& progress);
+                             const Context& context);
 
 } // namespace tetrarch::program

@@ -39,6 +39,7 @@ struct AutomaticOptions {
   /// How many branches floor and ceiling send into limbs, one number after the other.
   std::vector<int> branches{0, 4, 8, 12, 16, 24, 32};
   bool smooth_rims = true; ///< whether tetrahedra may be split
+  int threads = 1;         ///< of the search for axes; they make no difference to what is found
 };
 
 struct Automatic {
