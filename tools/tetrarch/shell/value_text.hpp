@@ -14,7 +14,8 @@ std::string summary(const Value& value);
 bool can_be_spelled(const Value& value);
 
 /// One line that means the same value where a value is expected: a signature if it gives exactly the same
-/// gluings, else JSON; for a group, its presentation if that is all. Throws InputError if it cannot be spelled.
+/// gluings, else JSON; for a group, its presentation if that is all. Throws InputError if it cannot be
+/// spelled.
 std::string spelled(const Value& value);
 
 } // namespace tetrarch::program
