@@ -18,27 +18,28 @@ enum class Place : std::uint8_t { none, tet, vertex, face, edge, edge_and_number
 
 struct Spelling {
   MoveKind kind;
-  const char* name;
+  std::string_view name;
+  std::string_view digits; ///< the same in short; empty: there is no such name
   Place place;
 };
 constexpr std::array<Spelling, move_kind_count> spellings{
-    {{MoveKind::merge, "merge", Place::edge},
-     {MoveKind::one_four, "one_four", Place::tet},
-     {MoveKind::four_one, "four_one", Place::vertex},
-     {MoveKind::two_three, "two_three", Place::face},
-     {MoveKind::three_two, "three_two", Place::edge},
-     {MoveKind::four_four, "four_four", Place::edge_and_number},
-     {MoveKind::two_zero_edge, "two_zero_edge", Place::edge},
-     {MoveKind::two_zero_vertex, "two_zero_vertex", Place::vertex},
-     {MoveKind::two_one, "two_one", Place::edge},
-     {MoveKind::zero_two_edge, "zero_two_edge", Place::edge_and_number},
-     {MoveKind::zero_two_face, "zero_two_face", Place::face},
-     {MoveKind::open_book, "open_book", Place::face},
-     {MoveKind::close_book, "close_book", Place::edge},
-     {MoveKind::shell, "shell", Place::tet},
-     {MoveKind::pinch, "pinch", Place::edge},
-     {MoveKind::cone, "cone", Place::face},
-     {MoveKind::pack, "pack", Place::none}}};
+    {{MoveKind::merge, "merge", "", Place::edge},
+     {MoveKind::one_four, "one_four", "1-4", Place::tet},
+     {MoveKind::four_one, "four_one", "4-1", Place::vertex},
+     {MoveKind::two_three, "two_three", "2-3", Place::face},
+     {MoveKind::three_two, "three_two", "3-2", Place::edge},
+     {MoveKind::four_four, "four_four", "4-4", Place::edge_and_number},
+     {MoveKind::two_zero_edge, "two_zero_edge", "2-0", Place::edge},
+     {MoveKind::two_zero_vertex, "two_zero_vertex", "2-0", Place::vertex},
+     {MoveKind::two_one, "two_one", "2-1", Place::edge},
+     {MoveKind::zero_two_edge, "zero_two_edge", "0-2", Place::edge_and_number},
+     {MoveKind::zero_two_face, "zero_two_face", "0-2", Place::face},
+     {MoveKind::open_book, "open_book", "", Place::face},
+     {MoveKind::close_book, "close_book", "", Place::edge},
+     {MoveKind::shell, "shell", "", Place::tet},
+     {MoveKind::pinch, "pinch", "", Place::edge},
+     {MoveKind::cone, "cone", "", Place::face},
+     {MoveKind::pack, "pack", "", Place::none}}};
 
 const Spelling& spelling(MoveKind kind) {
   return spellings[static_cast<std::size_t>(kind)];
@@ -75,27 +76,17 @@ std::vector<std::string_view> words_of(std::string_view line) {
   }
 }
 
-struct Digits {
-  std::string_view digits;
-  std::string_view name;
-};
-constexpr std::array<Digits, 10> in_digits{{{"1-4", "one_four"},
-                                            {"4-1", "four_one"},
-                                            {"2-3", "two_three"},
-                                            {"3-2", "three_two"},
-                                            {"4-4", "four_four"},
-                                            {"2-1", "two_one"},
-                                            {"2-0", "two_zero_vertex"},
-                                            {"2-0", "two_zero_edge"},
-                                            {"0-2", "zero_two_face"},
-                                            {"0-2", "zero_two_edge"}}};
-
-/// What a word in digits stands for. Where that is a move at simplices of two kinds, the number of numbers
-/// tells which: at a vertex or face 2, at an edge more.
-std::string_view full_name(std::string_view word, std::size_t numbers) {
-  std::string_view found = word;
-  for (const auto& [digits, name] : in_digits)
-    if (word == digits && (found == word || numbers != 2)) found = name;
+/// The move that a word names, by its long name or in digits; null if there is none. Where digits name moves
+/// at simplices of two kinds, the number of numbers tells which; if it fits neither, it is the one at an
+/// edge.
+const Spelling* spelled(std::string_view word, int numbers) {
+  const Spelling* found = nullptr;
+  for (const Spelling& how : spellings) {
+    if (word == how.name) return &how;
+    if (!how.digits.empty() && word == how.digits &&
+        (found == nullptr || numbers_needed(how.place) == numbers))
+      found = &how;
+  }
   return found;
 }
 
@@ -142,7 +133,7 @@ MaybeObstacle cone_at(Complex& complex, TetFace f) {
 
 std::string Move::str() const {
   const Spelling& how = spelling(kind);
-  std::string text = how.name;
+  std::string text(how.name);
   const std::array<int, 4> numbers{tet, a, b, n};
   for (int k = 0; k < numbers_needed(how.place); ++k) text += " " + std::to_string(numbers[k]);
   return text;
@@ -150,26 +141,23 @@ std::string Move::str() const {
 
 std::vector<std::string> move_names() {
   std::vector<std::string> names;
-  names.reserve(spellings.size() + in_digits.size());
+  names.reserve(2 * spellings.size());
   for (const Spelling& how : spellings) names.emplace_back(how.name);
-  for (const Digits& spelled : in_digits)
-    if (names.back() != spelled.digits) names.emplace_back(spelled.digits);
+  for (const Spelling& how : spellings)
+    if (!how.digits.empty() && names.back() != how.digits) names.emplace_back(how.digits);
   return names;
 }
 
 bool is_called(const Move& move, std::string_view word) {
   const Spelling& how = spelling(move.kind);
-  return how.name == full_name(word, static_cast<std::size_t>(numbers_needed(how.place)));
+  return spelled(word, numbers_needed(how.place)) == &how;
 }
 
 Move parse_move(std::string_view line) {
   const auto words = words_of(line);
   if (words.empty()) throw InputError("found an empty line, expected a move");
-  const std::string_view name = full_name(words[0], words.size() - 1);
-  const auto* const how =
-      std::find_if(spellings.begin(), spellings.end(), [name](const Spelling& s) { return name == s.name; });
-  if (how == spellings.end())
-    throw InputError("found " + in_quotes(words[0]) + ", expected the name of a move");
+  const Spelling* how = spelled(words[0], static_cast<int>(words.size()) - 1);
+  if (how == nullptr) throw InputError("found " + in_quotes(words[0]) + ", expected the name of a move");
   const int numbers = numbers_needed(how->place);
   if (static_cast<int>(words.size()) != 1 + numbers)
     throw InputError("found " + std::to_string(words.size() - 1) + " after " + in_quotes(words[0]) +

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "patches.hpp"
 
+#include "tetrarch/core/union_find.hpp"
+
 #include "vectors.hpp"
 
 #include <algorithm>
 #include <array>
+#include <numeric>
 #include <utility>
 
 namespace tetrarch::product {
@@ -15,31 +18,20 @@ using mesh::SideEnd;
 
 constexpr int most_rounds = 20;
 
-/// Connected pieces of one base or of wall.
-mesh::Parts pieces(const Solid& solid, const std::vector<int>& base) {
-  mesh::Parts found{0, std::vector<int>(base.size(), -1)};
-  std::vector<int> reached;
-  for (std::size_t t = 0; t < base.size(); ++t) {
-    if (found.of[t] >= 0) continue;
-    const int piece = found.count++;
-    found.of[t] = piece;
-    reached.assign(1, static_cast<int>(t));
-    while (!reached.empty()) {
-      const int here = reached.back();
-      reached.pop_back();
-      for (const Side s : mesh::sides_of(here)) {
-        const int next = solid.boundary.mate(s).triangle();
-        if (found.of[next] >= 0 || base[next] != base[here]) continue;
-        found.of[next] = piece;
-        reached.push_back(next);
-      }
-    }
-  }
-  return found;
-}
-
 bool is_rim(const Solid& solid, const std::vector<int>& base, Side s) {
   return base[s.triangle()] != base[solid.boundary.mate(s).triangle()];
+}
+
+/// Connected pieces of one base or of wall: of each triangle the one that stands for its piece.
+std::vector<int> pieces(const Solid& solid, const std::vector<int>& base) {
+  std::vector<int> piece(base.size());
+  std::iota(piece.begin(), piece.end(), 0);
+  for (int t = 0; t < solid.boundary.triangle_count(); ++t)
+    for (const Side s : mesh::sides_of(t))
+      if (solid.boundary.mate(s).value < s.value && !is_rim(solid, base, s))
+        piece[find_root(piece, t)] = find_root(piece, solid.boundary.mate(s).triangle());
+  for (int t = 0; t < solid.boundary.triangle_count(); ++t) piece[t] = find_root(piece, t);
+  return piece;
 }
 
 /// For each vertex 1 if it is on a rim.
@@ -51,14 +43,15 @@ std::vector<char> on_rims(const Solid& solid, const std::vector<int>& base) {
   return on;
 }
 
-/// Twice the Euler characteristic of each piece with its rims torn apart, so that each piece is a surface
-/// whose boundary has as many vertices as sides: V - E + F = I + B - (3 F + B) / 2 + F with I vertices inside
-/// and B sides on rims.
-std::vector<int> twice_euler(const Solid& solid, const std::vector<int>& base, const mesh::Parts& pieces) {
-  std::vector<int> twice(static_cast<std::size_t>(pieces.count), 0);
+/// At the triangle that stands for a piece, twice its Euler characteristic. Its rims are torn apart, so that
+/// it is a surface whose boundary has as many vertices as sides: V - E + F = I + B - (3 F + B) / 2 + F with I
+/// vertices inside and B sides on rims.
+std::vector<int> twice_euler(const Solid& solid, const std::vector<int>& base,
+                             const std::vector<int>& piece) {
+  std::vector<int> twice(piece.size(), 0);
   std::vector<char> counted = on_rims(solid, base);
   for (int t = 0; t < solid.boundary.triangle_count(); ++t) {
-    int& sum = twice[pieces.of[t]];
+    int& sum = twice[piece[t]];
     --sum;
     for (const Side s : mesh::sides_of(t)) {
       if (is_rim(solid, base, s)) ++sum;
@@ -70,18 +63,18 @@ std::vector<int> twice_euler(const Solid& solid, const std::vector<int>& base, c
 
 /// Each base keeps its largest piece.
 bool drop_crumbs(const Solid& solid, std::vector<int>& base, const std::vector<Point>& areas) {
-  const mesh::Parts parts = pieces(solid, base);
-  std::vector<double> area(static_cast<std::size_t>(parts.count), 0.0);
-  for (std::size_t t = 0; t < base.size(); ++t) area[parts.of[t]] += vectors::norm(areas[t]);
+  const std::vector<int> piece = pieces(solid, base);
+  std::vector<double> area(piece.size(), 0.0);
+  for (std::size_t t = 0; t < base.size(); ++t) area[piece[t]] += vectors::norm(areas[t]);
   std::array<int, 2> largest{-1, -1};
   for (std::size_t t = 0; t < base.size(); ++t) {
     if (base[t] < 0) continue;
     int& best = largest[base[t]];
-    if (best < 0 || area[parts.of[t]] > area[best]) best = parts.of[t];
+    if (best < 0 || area[piece[t]] > area[best]) best = piece[t];
   }
   bool changed = false;
   for (std::size_t t = 0; t < base.size(); ++t) {
-    if (base[t] < 0 || parts.of[t] == largest[base[t]]) continue;
+    if (base[t] < 0 || piece[t] == largest[base[t]]) continue;
     base[t] = -1;
     changed = true;
   }
@@ -90,20 +83,20 @@ bool drop_crumbs(const Solid& solid, std::vector<int>& base, const std::vector<P
 
 /// Disks of wall, which border on one base only.
 bool fill_holes(const Solid& solid, std::vector<int>& base) {
-  const mesh::Parts parts = pieces(solid, base);
+  const std::vector<int> piece = pieces(solid, base);
   // The boundary of a solid is orientable.
-  const std::vector<int> twice = twice_euler(solid, base, parts);
-  std::vector<int> filled(static_cast<std::size_t>(parts.count), -1);
+  const std::vector<int> twice = twice_euler(solid, base, piece);
+  std::vector<int> filled(piece.size(), -1);
   for (int t = 0; t < solid.boundary.triangle_count(); ++t) {
-    int& with = filled[parts.of[t]];
-    if (base[t] >= 0 || twice[parts.of[t]] != 2 || with >= 0) continue;
+    int& with = filled[piece[t]];
+    if (base[t] >= 0 || twice[piece[t]] != 2 || with >= 0) continue;
     for (const Side s : mesh::sides_of(t))
       if (with < 0 && is_rim(solid, base, s)) with = base[solid.boundary.mate(s).triangle()];
   }
   bool changed = false;
   for (std::size_t t = 0; t < base.size(); ++t) {
-    if (filled[parts.of[t]] < 0) continue;
-    base[t] = filled[parts.of[t]];
+    if (filled[piece[t]] < 0) continue;
+    base[t] = filled[piece[t]];
     changed = true;
   }
   return changed;
