@@ -198,6 +198,7 @@ TEST_CASE("Without help a smooth solid is divided by the way it faces, rims bein
   const auto found = automatic_partition(whole);
   REQUIRE(found);
   CHECK(found->partition.holes() == 1);
+  CHECK(found->how.find("the axis (0.00, 0.00, 1.00)") != std::string::npos); // that of the ring
   CHECK(found->solid.size() > whole.size());
   for (std::size_t v = 0; v < whole.mesh.points.size(); ++v)
     REQUIRE(found->solid.mesh.points[v] == whole.mesh.points[v]);

@@ -374,6 +374,9 @@ class Printing(unittest.TestCase):
         again = [line for line in pipe(*printed, "print").stdout.splitlines() if re.match("[A-Z] = ", line)]
         self.assertEqual(again, printed)
         self.assertIn('"volume":6.4519902708', printed[1])
+        with open(os.path.join(SOURCE, "tests/data/frozen/1/group.json"), encoding="utf-8") as file:
+            said = json.load(file)
+        self.assertEqual(json.loads(next(line[4:] for line in printed if line.startswith("L"))), said)
 
     def test_meshes_are_printed_with_their_fields(self):
         lines = ["S = slit tests/data/frozen/1/frustum.json", "N = tests/data/frozen/1/unknown_mesh_members.json"]
