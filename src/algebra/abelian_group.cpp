@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "tetrarch/algebra/abelian_group.hpp"
+#include "tetrarch/algebra/torsion.hpp"
 
 #include "tetrarch/core/error.hpp"
 
@@ -7,21 +7,38 @@
 
 namespace tetrarch::algebra {
 
-AbelianGroup::AbelianGroup(int rank, std::vector<Integer> orders) : rank_(rank) {
+AbelianGroup::AbelianGroup(int rank) : rank_(rank) {
   if (rank < 0) throw PreconditionError("an abelian group cannot have rank " + std::to_string(rank));
+}
+
+AbelianGroup::AbelianGroup(int rank, Torsion orders) : AbelianGroup(rank) {
   for (const Integer& order : orders)
     if (order < 1) throw PreconditionError("a finite cyclic group cannot have order " + order.str());
-  torsion_ = invariant_factors(std::move(orders));
+  Torsion factors = invariant_factors(std::move(orders));
+  if (!factors.empty()) torsion_ = std::make_shared<const Torsion>(std::move(factors));
+}
+
+const Torsion& AbelianGroup::torsion() const {
+  static const Torsion none;
+  return torsion_ == nullptr ? none : *torsion_;
+}
+
+bool AbelianGroup::has_torsion() const {
+  return torsion_ != nullptr;
+}
+
+bool operator==(const AbelianGroup& a, const AbelianGroup& b) {
+  return a.rank() == b.rank() && a.torsion() == b.torsion();
 }
 
 std::string AbelianGroup::str() const {
   std::string text;
   if (rank_ > 0) text = rank_ == 1 ? "Z" : "Z^" + std::to_string(rank_);
-  for (const Integer& factor : torsion_) text += (text.empty() ? "Z/" : " + Z/") + factor.str();
+  for (const Integer& factor : torsion()) text += (text.empty() ? "Z/" : " + Z/") + factor.str();
   return text.empty() ? "0" : text;
 }
 
-std::vector<Integer> invariant_factors(std::vector<Integer> orders) {
+Torsion invariant_factors(Torsion orders) {
   std::erase(orders, 1);
   std::sort(orders.begin(), orders.end());
   // Once the gcd of everything from i on stands at i, later rounds keep it there.

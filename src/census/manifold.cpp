@@ -57,8 +57,6 @@ Json parse(std::string_view text, const std::string& source) {
   }
 }
 
-} // namespace
-
 Json to_json(const Manifold& m) {
   Json j;
   if (!m.name.empty()) j["name"] = m.name;
@@ -73,6 +71,12 @@ Json to_json(const Manifold& m) {
   j["symmetries"] = m.symmetries;
   j["dihedral_angles"] = m.dihedral_angles;
   return j;
+}
+
+} // namespace
+
+std::string json_text(const Manifold& m) {
+  return to_json(m).dump();
 }
 
 std::string Manifold::boundary_text() const {
@@ -116,7 +120,7 @@ std::string write_table(int tetrahedra, const std::vector<Manifold>& manifolds) 
                      "\",\n  \"version\": " + std::to_string(format_version) +
                      ",\n  \"tetrahedra\": " + std::to_string(tetrahedra) + ",\n  \"manifolds\": [";
   for (std::size_t k = 0; k < manifolds.size(); ++k)
-    text += (k > 0 ? ",\n    " : "\n    ") + to_json(manifolds[k]).dump();
+    text += (k > 0 ? ",\n    " : "\n    ") + json_text(manifolds[k]);
   return text + "\n  ]\n}\n";
 }
 

@@ -3,6 +3,7 @@
 
 #include "tetrarch/algebra/group.hpp"
 #include "tetrarch/algebra/homology.hpp"
+#include "tetrarch/algebra/torsion.hpp"
 #include "tetrarch/core/boundary.hpp"
 #include "tetrarch/core/check.hpp"
 #include "tetrarch/moves/simplify.hpp"

@@ -4,6 +4,7 @@
 #include "tetrarch/format/text.hpp"
 
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 namespace tetrarch::format {
 namespace {

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <nlohmann/json.hpp>
 
 namespace tetrarch::format {
 namespace {
@@ -241,7 +242,7 @@ Document document_of(const FmpRecord& record) {
   if (!record.fundamental_group.empty()) rest["fundamental_group"] = record.fundamental_group;
   if (!record.homology.empty()) rest["homology"] = record.homology;
   if (!record.other.empty()) rest["other"] = record.other;
-  if (!rest.empty()) document.members["fmp"] = std::move(rest);
+  if (!rest.empty()) document.members = Json{{"fmp", std::move(rest)}};
   return document;
 }
 
@@ -256,7 +257,8 @@ FmpRecord fmp_record_of(const Document& document) {
     if (document.metric->volume) record.volume = document.metric->volume->value();
   }
   // The member is one of ours only if it looks like one: anybody may have written it.
-  const Json rest = document.members.is_object() ? document.members.value("fmp", Json()) : Json();
+  const Json& members = document.members;
+  const Json rest = members.is_object() ? members.value("fmp", Json()) : Json();
   const auto take = [&rest](const char* key, auto& field) {
     if (!rest.is_object() || !rest.contains(key)) return;
     try {

@@ -13,6 +13,7 @@
 #include "tetrarch/format/document.hpp"
 #include "tetrarch/format/text.hpp"
 
+#include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
 #include <vector>

@@ -5,6 +5,7 @@
 
 #include "tetrarch/core/error.hpp"
 
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <utility>
 #include <vector>

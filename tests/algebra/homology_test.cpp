@@ -5,6 +5,7 @@
 #include "support/zoo.hpp"
 #include "tetrarch/algebra/group.hpp"
 #include "tetrarch/algebra/homology.hpp"
+#include "tetrarch/algebra/torsion.hpp"
 #include "tetrarch/core/check.hpp"
 #include "tetrarch/core/error.hpp"
 

@@ -2,6 +2,7 @@
 #include "tetrarch/census/validate.hpp"
 
 #include "tetrarch/algebra/homology.hpp"
+#include "tetrarch/algebra/torsion.hpp"
 #include "tetrarch/core/error.hpp"
 #include "tetrarch/core/signature.hpp"
 #include "tetrarch/core/skeleton.hpp"

@@ -70,7 +70,7 @@ TEST_CASE("a mesh with everything survives as JSON", "[json][mesh]") {
   mesh.soup.triangle_tags = {-3};
   mesh.hexahedra = {{0, 1, 2, 3, 4, 3, 2, 1}};
   mesh.name = "caf\xc3\xa9";
-  mesh.provenance = {{"by", "hand"}};
+  mesh.provenance = Json{{"by", "hand"}};
   const double none = std::numeric_limits<double>::quiet_NaN();
   mesh.fields = {field_of("height", On::vertices, std::vector<double>{0, 1, -0.0, none, 2}),
                  field_of("area", On::triangles, std::vector<double>{0.5}),

@@ -50,8 +50,8 @@ Document annotated(Document document, support::Random& random) {
     bundle.levels.push_back({0, 3, 1, random.below(4)});
   }
   document.metric->volume = Number(100 * random.uniform());
-  document.provenance = {{"seed", 1}, {"list", Json::array({1, 2.5, nullptr, "x"})}};
-  document.members = {{"later", {{"versions", true}}}};
+  document.provenance = Json{{"seed", 1}, {"list", Json::array({1, 2.5, nullptr, "x"})}};
+  document.members = Json{{"later", {{"versions", true}}}};
   return document;
 }
 

@@ -20,7 +20,6 @@
 #include "tetrarch/scene/bundle.hpp"
 #include "tetrarch/scene/files.hpp"
 
-#include <CLI/CLI.hpp>
 #include <memory>
 #include <numbers>
 #include <optional>
@@ -268,8 +267,8 @@ Rows details_rows(const Plan& plan, const Json& details, const Made& made, const
              made.proof.has_euler_number ? std::to_string(made.proof.euler_number) : "none (boundary)"}};
   if (const Json& field = details["field"]; !field.is_null())
     rows.emplace_back(options.field.empty() ? "random field" : "field",
-                      counted(field["singular_triangles"].get<int>(), "singular triangle") +
-                          ", indices adding up to " + std::to_string(field["index_sum"].get<int>()));
+                      counted(field["singular_triangles"].integer(), "singular triangle") +
+                          ", indices adding up to " + std::to_string(field["index_sum"].integer()));
   return rows;
 }
 
@@ -311,39 +310,38 @@ Result run_bundle(const Options& options, const Context& context) {
 
 } // namespace
 
-Run declare_bundle(CLI::App& app) {
+Run declare_bundle(OptionTable& table) {
   const auto o = std::make_shared<Options>();
-  app.add_option("SURFACE", o->input, "a surface: OBJ, OFF, PLY or STL")->required();
-  app.add_option("-o,--output", o->outputs,
-                 "the triangulation (.json with fibre coordinates, .tri, .sig ...), the mesh with its "
-                 "coordinates (.vtu), or a picture: "
-                 ".glb, .ply or .obj of the solid tori, .svg of the bands to be glued; may be repeated")
-      ->type_name("FILE")
-      ->allow_extra_args(false);
-  app.add_option("--fiber", o->plan.fiber, "edges of a fibre; 1 is the least that works")
-      ->capture_default_str();
-  app.add_option("--euler", o->plan.euler, "the bundle of this Euler number (chi: the unit tangent bundle)");
-  app.add_option("--twist", o->twist, "the same as the total twist in steps: --fiber times --euler");
-  app.add_option(
-         "--boundary", o->boundary,
-         "free, or a file of lines 'u v value': a boundary edge by the numbers that the surface's file uses, "
-         "and +1 or -1")
-      ->type_name("FILE")
-      ->capture_default_str();
-  app.add_option("--cut", o->cut, "dissertation: equator or canonical loops; any: a short cut graph")
-      ->check(CLI::IsMember({"dissertation", "any"}))
-      ->capture_default_str();
-  app.add_option("--show", o->show, "what pictures show: tori, or the surface with its cut and singularities")
-      ->check(CLI::IsMember({"tori", "surface"}))
-      ->capture_default_str();
-  app.add_option("--field", o->field,
-                 "X Y Z: instead of random directions, this vector projected to the surface")
-      ->expected(3);
-  app.add_option("--obstruction", o->obstruction, "where to write the part of a disk that has no solution")
-      ->type_name("FILE");
-  app.add_option("--memory", o->memory, "gigabytes that may be used")->capture_default_str();
-  app.add_flag("--repair", o->repair,
-               "mend orientation, unused vertices, duplicates, degenerate triangles first");
+  table.add("SURFACE", o->input, "a surface: OBJ, OFF, PLY or STL").required();
+  table
+      .add("-o,--output", o->outputs,
+           "the triangulation (.json with fibre coordinates, .tri, .sig ...), the mesh with its "
+           "coordinates (.vtu), or a picture: "
+           ".glb, .ply or .obj of the solid tori, .svg of the bands to be glued; may be repeated")
+      .value_name("FILE");
+  table.add("--fiber", o->plan.fiber, "edges of a fibre; 1 is the least that works").with_default();
+  table.add("--euler", o->plan.euler, "the bundle of this Euler number (chi: the unit tangent bundle)");
+  table.add("--twist", o->twist, "the same as the total twist in steps: --fiber times --euler");
+  table
+      .add("--boundary", o->boundary,
+           "free, or a file of lines 'u v value': a boundary edge by the numbers that the surface's file "
+           "uses, "
+           "and +1 or -1")
+      .value_name("FILE")
+      .with_default();
+  table.add("--cut", o->cut, "dissertation: equator or canonical loops; any: a short cut graph")
+      .one_of({"dissertation", "any"})
+      .with_default();
+  table.add("--show", o->show, "what pictures show: tori, or the surface with its cut and singularities")
+      .one_of({"tori", "surface"})
+      .with_default();
+  table.add("--field", o->field, "X Y Z: instead of random directions, this vector projected to the surface")
+      .takes(3);
+  table.add("--obstruction", o->obstruction, "where to write the part of a disk that has no solution")
+      .value_name("FILE");
+  table.add("--memory", o->memory, "gigabytes that may be used").with_default();
+  table.add("--repair", o->repair,
+            "mend orientation, unused vertices, duplicates, degenerate triangles first");
   return [o](const Context& context) { return run_bundle(*o, context); };
 }
 

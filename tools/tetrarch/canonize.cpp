@@ -10,7 +10,6 @@
 #include "tetrarch/format/json.hpp"
 #include "tetrarch/hyperbolic/search.hpp"
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <map>
 #include <memory>
@@ -159,20 +158,19 @@ Result isometric(const std::string& x, const std::string& y, const Context& cont
 
 } // namespace
 
-Run declare_canonize(CLI::App& app) {
+Run declare_canonize(OptionTable& table) {
   const auto input = std::make_shared<std::string>();
   const auto output = std::make_shared<std::string>();
-  app.add_option("X", *input, "a triangulation that carries a structure")->required();
-  app.add_option("-o,--output", *output, "the canonical triangulation with its cells, as JSON")
-      ->type_name("FILE");
+  table.add("X", *input, "a triangulation that carries a structure").required();
+  table.add("-o,--output", *output, "the canonical triangulation with its cells, as JSON").value_name("FILE");
   return [input, output](const Context& context) { return canonize(*input, *output, context); };
 }
 
-Run declare_isometric(CLI::App& app) {
+Run declare_isometric(OptionTable& table) {
   const auto x = std::make_shared<std::string>();
   const auto y = std::make_shared<std::string>();
-  app.add_option("X", *x, "a triangulation that carries a structure")->required();
-  app.add_option("Y", *y, "another")->required();
+  table.add("X", *x, "a triangulation that carries a structure").required();
+  table.add("Y", *y, "another").required();
   return [x, y](const Context& context) { return isometric(*x, *y, context); };
 }
 

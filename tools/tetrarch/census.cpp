@@ -8,7 +8,6 @@
 #include "tetrarch/core/signature.hpp"
 #include "tetrarch/format/text.hpp"
 
-#include <CLI/CLI.hpp>
 #include <chrono>
 #include <memory>
 
@@ -20,7 +19,7 @@ using census::Validation;
 
 Json manifold_json(const Manifold& m) {
   Json j{{"name", nullptr}, {"tetrahedra", m.tetrahedra}};
-  j.update(census::to_json(m));
+  j.update(Json::parse(json_text(m)));
   return j;
 }
 
@@ -91,18 +90,18 @@ Result run_validation(int tetrahedra, const Context& context) {
   return result;
 }
 
-void add_tetrahedra(CLI::App& app, int& tetrahedra, bool required) {
-  auto* option = app.add_option("--tetrahedra", tetrahedra, "how many")
-                     ->check(CLI::Range(1, census::max_gluing_tetrahedra));
+void add_tetrahedra(OptionTable& table, int& tetrahedra, bool required) {
+  Option& option =
+      table.add("--tetrahedra", tetrahedra, "how many").in_range(1, census::max_gluing_tetrahedra);
   if (required)
-    option->required();
+    option.required();
   else
-    option->capture_default_str();
+    option.with_default();
 }
 
 } // namespace
 
-Run declare_census_gluings(CLI::App& app) {
+Run declare_census_gluings(OptionTable& table) {
   struct Options {
     census::GluingOptions gluings;
     bool orientable = false;
@@ -111,19 +110,20 @@ Run declare_census_gluings(CLI::App& app) {
     std::string output;
   };
   const auto options = std::make_shared<Options>();
-  add_tetrahedra(app, options->gluings.tetrahedra, true);
-  auto* orientable = app.add_flag("--orientable", options->orientable, "orientable gluings only");
-  app.add_flag("--nonorientable", options->nonorientable, "non-orientable gluings only")
-      ->excludes(orientable);
-  app.add_flag("--ideal", options->gluings.ideal, "at least one vertex link is no sphere");
-  app.add_option("--links", options->links,
-                 "every vertex link is among these: genera (0 the sphere), nK for K crosscaps")
-      ->type_name("LIST");
-  app.add_option("--min-valence", options->gluings.min_valence, "no edge class of smaller valence")
-      ->check(CLI::Range(1, 72));
-  app.add_flag("--allow-invalid", options->gluings.allow_invalid,
-               "let edges be identified with themselves reversed");
-  app.add_option("-o,--output", options->output, "write the signatures to a file")->type_name("FILE");
+  add_tetrahedra(table, options->gluings.tetrahedra, true);
+  table.add("--orientable", options->orientable, "orientable gluings only");
+  table.add("--nonorientable", options->nonorientable, "non-orientable gluings only")
+      .excludes("--orientable");
+  table.add("--ideal", options->gluings.ideal, "at least one vertex link is no sphere");
+  table
+      .add("--links", options->links,
+           "every vertex link is among these: genera (0 the sphere), nK for K crosscaps")
+      .value_name("LIST");
+  table.add("--min-valence", options->gluings.min_valence, "no edge class of smaller valence")
+      .in_range(1, 72);
+  table.add("--allow-invalid", options->gluings.allow_invalid,
+            "let edges be identified with themselves reversed");
+  table.add("-o,--output", options->output, "write the signatures to a file").value_name("FILE");
   return [options](const Context& context) {
     using Orientability = census::GluingOptions::Orientability;
     census::GluingOptions gluings = options->gluings;
@@ -147,12 +147,11 @@ Run declare_census_gluings(CLI::App& app) {
   };
 }
 
-Run declare_census_enumerate(CLI::App& app) {
+Run declare_census_enumerate(OptionTable& table) {
   const auto tetrahedra = std::make_shared<int>(3);
   const auto output = std::make_shared<std::string>();
-  add_tetrahedra(app, *tetrahedra, true);
-  app.add_option("-o,--output", *output, "write a census table (the format of census/*.json)")
-      ->type_name("FILE");
+  add_tetrahedra(table, *tetrahedra, true);
+  table.add("-o,--output", *output, "write a census table (the format of census/*.json)").value_name("FILE");
   return [tetrahedra, output](const Context& context) {
     const auto found = census::classify_manifolds(*tetrahedra, context.threads, context.progress);
     Result result;
@@ -173,15 +172,15 @@ Run declare_census_enumerate(CLI::App& app) {
   };
 }
 
-Run declare_census_validate(CLI::App& app) {
+Run declare_census_validate(OptionTable& table) {
   const auto tetrahedra = std::make_shared<int>(3);
-  add_tetrahedra(app, *tetrahedra, false);
+  add_tetrahedra(table, *tetrahedra, false);
   return [tetrahedra](const Context& context) { return run_validation(*tetrahedra, context); };
 }
 
-Run declare_census_list(CLI::App& app) {
+Run declare_census_list(OptionTable& table) {
   const auto tetrahedra = std::make_shared<int>(3);
-  add_tetrahedra(app, *tetrahedra, false);
+  add_tetrahedra(table, *tetrahedra, false);
   return [tetrahedra](const Context&) {
     Result result;
     result.json = {{"tetrahedra", *tetrahedra}, {"manifolds", Json::array()}};
@@ -196,9 +195,9 @@ Run declare_census_list(CLI::App& app) {
   };
 }
 
-Run declare_census_show(CLI::App& app) {
+Run declare_census_show(OptionTable& table) {
   const auto name = std::make_shared<std::string>();
-  app.add_option("NAME", *name, "for instance fmp3_17")->required();
+  table.add("NAME", *name, "for instance fmp3_17").required();
   return [name](const Context&) {
     const auto found = census::find_by_name(*name);
     if (!found) throw InputError("no census manifold is called " + in_quotes(*name));

@@ -9,7 +9,6 @@
 #include "tetrarch/mesh/repair.hpp"
 #include "tetrarch/mesh/validate_surface.hpp"
 
-#include <CLI/CLI.hpp>
 #include <array>
 #include <memory>
 
@@ -142,17 +141,16 @@ Result check(const Options& options, const Context& context) {
 
 } // namespace
 
-Run declare_check(CLI::App& app) {
+Run declare_check(OptionTable& table) {
   const auto options = std::make_shared<Options>();
-  app.add_option("MESH", options->input, "a mesh of tetrahedra, or a surface")->required();
-  app.add_option("--listed", options->listed, "so many findings of each kind are told in full")
-      ->check(CLI::Range(0, 1'000'000))
-      ->capture_default_str();
-  app.add_flag("--repair", options->repair,
-               "mend orientation, unused vertices, duplicate and degenerate elements first");
-  app.add_option("-o,--output", options->output,
-                 "write the mesh, repaired or not, in the format of the extension")
-      ->type_name("FILE");
+  table.add("MESH", options->input, "a mesh of tetrahedra, or a surface").required();
+  table.add("--listed", options->listed, "so many findings of each kind are told in full")
+      .in_range(0, 1'000'000)
+      .with_default();
+  table.add("--repair", options->repair,
+            "mend orientation, unused vertices, duplicate and degenerate elements first");
+  table.add("-o,--output", options->output, "write the mesh, repaired or not, in the format of the extension")
+      .value_name("FILE");
   return [options](const Context& context) { return check(*options, context); };
 }
 

@@ -5,23 +5,18 @@
 /// as JSON, writing its files and choosing the exit status happen in one place (job.cpp). The program and the
 /// shell are two faces of the table.
 
+#include "json.hpp"
+#include "options.hpp"
 #include "value.hpp"
 
 #include "tetrarch/core/progress.hpp"
 
 #include <cstdint>
 #include <functional>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
-namespace CLI {
-class App;
-}
-
 namespace tetrarch::program {
-
-using Json = nlohmann::ordered_json;
 
 /// Exit statuses, as documented for the program.
 enum class Status { done = 0, proved_no = 1, bad_input = 2, fault = 3, undecided = 4, interrupted = 130 };
@@ -47,20 +42,26 @@ struct Common {
   int threads = 1;
 };
 
+struct Command;
+
 /// What every command is given besides its own options.
 struct Context : Common {
   Progress progress;
-  const Values* values = nullptr; ///< what names mean; null outside a session
+  const Values* values = nullptr;                 ///< what names mean; null outside a session
+  const std::vector<Command>* commands = nullptr; ///< the table that the command stands in
+  std::string program;                            ///< what usage lines begin with; empty in a session
 };
 
 using Run = std::function<Result(const Context&)>;
 
 struct Command {
-  const char* name; ///< "info", "census list"
+  const char* group; ///< the heading under which `help` lists it
+  const char* name;  ///< "info", "census list"
   const char* summary;
   const char* example; ///< works as typed after the program's name
-  /// Declares the command's own options; what it returns is called after they have been parsed.
-  std::function<Run(CLI::App&)> declare;
+  /// Declares the command's own options; what it returns owns their variables, and is called after they have
+  /// been parsed.
+  std::function<Run(OptionTable&)> declare;
   /// In a session, what it makes of a named value takes the name.
   bool changes = false;
 };
@@ -68,31 +69,31 @@ struct Command {
 /// All commands, in the order of the help page.
 const std::vector<Command>& commands();
 
-Run declare_help(CLI::App& app);
-Run declare_shell(CLI::App& app);
-Run declare_group(CLI::App& app);
-Run declare_move(CLI::App& app);
-Run declare_skeleton(CLI::App& app);
-Run declare_info(CLI::App& app);
-Run declare_convert(CLI::App& app);
-Run declare_check(CLI::App& app);
-Run declare_simplify(CLI::App& app);
-Run declare_truncate(CLI::App& app);
-Run declare_subdivide(CLI::App& app);
-Run declare_hyperbolize(CLI::App& app);
-Run declare_canonize(CLI::App& app);
-Run declare_isometric(CLI::App& app);
-Run declare_embed(CLI::App& app);
-Run declare_view(CLI::App& app);
-Run declare_bundle(CLI::App& app);
-Run declare_slit(CLI::App& app);
-Run declare_register(CLI::App& app);
-Run declare_product(CLI::App& app);
-Run declare_census_gluings(CLI::App& app);
-Run declare_census_enumerate(CLI::App& app);
-Run declare_census_validate(CLI::App& app);
-Run declare_census_list(CLI::App& app);
-Run declare_census_show(CLI::App& app);
-Run declare_census_identify(CLI::App& app);
+Run declare_help(OptionTable& table);
+Run declare_shell(OptionTable& table);
+Run declare_group(OptionTable& table);
+Run declare_move(OptionTable& table);
+Run declare_skeleton(OptionTable& table);
+Run declare_info(OptionTable& table);
+Run declare_convert(OptionTable& table);
+Run declare_check(OptionTable& table);
+Run declare_simplify(OptionTable& table);
+Run declare_truncate(OptionTable& table);
+Run declare_subdivide(OptionTable& table);
+Run declare_hyperbolize(OptionTable& table);
+Run declare_canonize(OptionTable& table);
+Run declare_isometric(OptionTable& table);
+Run declare_embed(OptionTable& table);
+Run declare_view(OptionTable& table);
+Run declare_bundle(OptionTable& table);
+Run declare_slit(OptionTable& table);
+Run declare_register(OptionTable& table);
+Run declare_product(OptionTable& table);
+Run declare_census_gluings(OptionTable& table);
+Run declare_census_enumerate(OptionTable& table);
+Run declare_census_validate(OptionTable& table);
+Run declare_census_list(OptionTable& table);
+Run declare_census_show(OptionTable& table);
+Run declare_census_identify(OptionTable& table);
 
 } // namespace tetrarch::program

@@ -9,7 +9,6 @@
 #include "tetrarch/format/read.hpp"
 #include "tetrarch/format/text.hpp"
 
-#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <memory>
 
@@ -115,16 +114,16 @@ Result convert(const Options& options, const Context& context) {
 
 } // namespace
 
-Run declare_convert(CLI::App& app) {
+Run declare_convert(OptionTable& table) {
   const auto options = std::make_shared<Options>();
-  app.add_option("X", options->input, "a triangulation or a mesh; a mesh may become a mesh")->required();
-  app.add_option("-o,--output", options->output, "the file to write (its extension names the format)")
-      ->type_name("FILE");
-  app.add_option(
-         "--to", options->to,
-         "the format, whatever the extension: json of a triangulation, tri, sig, fmp, or mesh: JSON of "
-         "a mesh; standard output if there is no -o")
-      ->check(CLI::IsMember({"json", "tri", "sig", "fmp", "mesh"}));
+  table.add("X", options->input, "a triangulation or a mesh; a mesh may become a mesh").required();
+  table.add("-o,--output", options->output, "the file to write (its extension names the format)")
+      .value_name("FILE");
+  table
+      .add("--to", options->to,
+           "the format, whatever the extension: json of a triangulation, tri, sig, fmp, or mesh: JSON of "
+           "a mesh; standard output if there is no -o")
+      .one_of({"json", "tri", "sig", "fmp", "mesh"});
   return [options](const Context& context) { return convert(*options, context); };
 }
 

@@ -2,10 +2,11 @@
 #include "describe.hpp"
 
 #include "nearest.hpp"
+#include "parse.hpp"
+#include "text.hpp"
 
 #include "tetrarch/core/error.hpp"
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
 #include <memory>
@@ -14,89 +15,67 @@
 namespace tetrarch::program {
 namespace {
 
-constexpr std::array common_names{"json", "quiet", "seed", "threads"};
+constexpr const char* summary = "Tetrarch: a combinatorial topology engine for triangulated 3-manifolds.";
+constexpr const char* common_group = "Common options";
 
-bool is_common(const CLI::Option& option) {
-  return std::any_of(common_names.begin(), common_names.end(),
-                     [&option](const char* name) { return option.check_lname(name); });
+/// The words that may follow `before` ("" or "census "), each once.
+std::vector<std::string> next_words(const std::vector<Command>& table, const std::string& before) {
+  std::vector<std::string> words;
+  for (const Command& command : table) {
+    const std::string name = command.name;
+    if (!name.starts_with(before)) continue;
+    const std::string rest = name.substr(before.size());
+    const std::string word = rest.substr(0, rest.find(' '));
+    if (std::find(words.begin(), words.end(), word) == words.end()) words.push_back(word);
+  }
+  return words;
 }
 
-std::vector<std::string> names_of(const std::vector<const CLI::App*>& apps) {
-  std::vector<std::string> names;
-  names.reserve(apps.size());
-  for (const CLI::App* app : apps) names.push_back(app->get_name());
-  return names;
+Json texts(const std::vector<std::string>& list) {
+  Json json = Json::array();
+  for (const std::string& text : list) json.push_back(text);
+  return json;
 }
 
-std::vector<const CLI::App*> children(const CLI::App& app) {
-  return app.get_subcommands([](const CLI::App* sub) { return !sub->get_name().empty(); });
-}
-
-/// "{newton,flow}" at the end of a type's name lists what is allowed.
-std::vector<std::string> choices_of(const CLI::Option& option) {
-  const std::string type = option.get_type_name();
-  const std::size_t open = type.find('{');
-  const std::size_t close = type.find('}', std::min(open, type.size()));
-  if (open == std::string::npos || close == std::string::npos) return {};
-  return CLI::detail::split(type.substr(open + 1, close - open - 1), ',');
-}
-
-Json option_json(const CLI::Option& option) {
+Json option_json(const Option& option) {
+  const std::string fallback = option.default_text();
   Json json;
-  Json names = Json::array();
-  for (const std::string& name : option.get_snames()) names.push_back("-" + name);
-  for (const std::string& name : option.get_lnames()) names.push_back("--" + name);
-  const std::string type = option.get_type_name();
-  const bool flag = option.get_expected_max() == 0;
-  const std::string fallback = option.get_default_str();
-  json["names"] = std::move(names);
-  json["value"] = flag ? Json() : Json(type.substr(0, type.find(':')));
-  json["help"] = option.get_description();
+  json["names"] = texts(option.names);
+  json["value"] = option.is_flag() ? Json() : Json(option.type());
+  json["help"] = option.help;
   json["default"] = fallback.empty() ? Json() : Json(fallback);
-  json["choices"] = choices_of(option);
-  json["required"] = option.get_required();
-  json["repeats"] = option.get_expected_max() > 1;
+  json["choices"] = texts(option.choices);
+  json["required"] = option.is_required;
+  json["repeats"] = option.repeats();
   return json;
 }
 
-Json argument_json(const CLI::Option& option) {
-  return {{"name", option.get_name(true)},
-          {"help", option.get_description()},
-          {"required", option.get_required()},
-          {"repeats", option.get_expected_max() > 1}};
+Json argument_json(const Option& option) {
+  return {{"name", option.names.front()},
+          {"help", option.help},
+          {"required", option.is_required},
+          {"repeats", option.repeats()}};
 }
 
-Json command_json(const std::string& name, const CLI::App& app) {
-  const std::string footer = app.get_footer();
-  const std::string heading = example_heading;
-  Json json{{"name", name},
-            {"summary", app.get_description()},
-            {"example", footer.starts_with(heading) ? footer.substr(heading.size()) : ""},
-            {"arguments", Json::array()},
-            {"options", Json::array()}};
-  for (const CLI::Option* option : app.get_options()) {
-    if (option->get_positional())
-      json["arguments"].push_back(argument_json(*option));
-    else if (!option->check_lname("help") && !is_common(*option))
-      json["options"].push_back(option_json(*option));
+Json command_json(const Declared& declared) {
+  const Command& command = *declared.command;
+  Json json{{"name", command.name},       {"group", command.group},     {"summary", command.summary},
+            {"example", command.example}, {"arguments", Json::array()}, {"options", Json::array()}};
+  for (const Option& option : declared.options.options()) {
+    if (option.is_argument())
+      json["arguments"].push_back(argument_json(option));
+    else if (option.group != common_group)
+      json["options"].push_back(option_json(option));
   }
   return json;
 }
 
-void add_commands(Json& list, const CLI::App& app, const std::string& before) {
-  for (const CLI::App* sub : children(app)) {
-    const std::string name = before + sub->get_name();
-    if (children(*sub).empty())
-      list.push_back(command_json(name, *sub));
-    else
-      add_commands(list, *sub, name + " ");
-  }
-}
-
-Json common_json(const CLI::App& app) {
+Json common_json() {
   Json list = Json::array();
-  for (const CLI::Option* option : app.get_options())
-    if (is_common(*option)) list.push_back(option_json(*option));
+  Common common;
+  OptionTable table;
+  declare_common(table, common);
+  for (const Option& option : table.options()) list.push_back(option_json(option));
   return list;
 }
 
@@ -114,77 +93,100 @@ Json exit_statuses() {
   return list;
 }
 
-Result help(const CLI::App& app, const std::vector<std::string>& words) {
-  const Named found = named_command(app, words);
+Result help(const Context& context, const std::vector<std::string>& words) {
+  const std::vector<Command>& table = *context.commands;
+  const Named found = named_command(table, words);
   if (found.words < words.size())
     throw InputError("unknown command '" + found.name + " " + words[found.words] + "'");
-  std::string group = found.name.substr(0, found.name.rfind(' '));
-  if (group == found.name) group.clear();
-  const std::string program = app.get_name();
   Result result;
-  result.text = found.app->help(found.app == &app ? "" : program + (group.empty() ? "" : " " + group));
-  result.json = describe(app);
+  result.text = found.command == nullptr ? overview(table, found.name, context.program)
+                                         : help_page(*found.command, context.program);
+  result.json = describe(table);
   return result;
 }
 
 } // namespace
 
-CLI::App* child(const CLI::App& app, const std::string& name) {
-  for (CLI::App* sub : const_cast<CLI::App&>(app).get_subcommands({}))
-    if (sub->get_name() == name) return sub;
-  return nullptr;
-}
-
-std::vector<std::string> option_names(const CLI::App& app) {
-  std::vector<std::string> names;
-  for (const CLI::Option* option : app.get_options()) {
-    for (const std::string& name : option->get_snames()) names.push_back("-" + name);
-    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
-  }
-  return names;
-}
-
-Named named_command(const CLI::App& app, const std::vector<std::string>& words) {
-  Named at{&app, "", 0};
-  for (; at.words < words.size() && !children(*at.app).empty(); ++at.words) {
+Named named_command(const std::vector<Command>& table, const std::vector<std::string>& words) {
+  Named at;
+  for (; at.words < words.size() && at.command == nullptr; ++at.words) {
     const std::string& word = words[at.words];
     if (word.starts_with("-")) break;
-    const CLI::App* next = child(*at.app, word);
-    const std::string name = at.name.empty() ? word : at.name + " " + word;
-    if (next == nullptr)
-      throw InputError("unknown command '" + name + "'" + did_you_mean(word, names_of(children(*at.app))));
-    at.name = name;
-    at.app = next;
+    const std::string before = at.name.empty() ? "" : at.name + " ";
+    const std::vector<std::string> expected = next_words(table, before);
+    if (std::find(expected.begin(), expected.end(), word) == expected.end())
+      throw InputError("unknown command '" + before + word + "'" + did_you_mean(word, expected));
+    at.name = before + word;
+    const auto found =
+        std::find_if(table.begin(), table.end(), [&at](const Command& c) { return c.name == at.name; });
+    if (found != table.end()) at.command = &*found;
   }
   return at;
 }
 
-Json describe(const CLI::App& app) {
-  Json json{{"program", "tetrarch"},
-            {"version", TETRARCH_VERSION},
-            {"summary", app.get_description()},
-            {"commands", Json::array()},
-            {"common", common_json(*children(app).front())},
-            {"exit_status", exit_statuses()}};
-  add_commands(json["commands"], app, "");
+void declare_common(OptionTable& table, Common& common) {
+  constexpr int most_threads = 256;
+  table.add("--json", common.json, "one JSON object on standard output and nothing else").group =
+      common_group;
+  table.add("--quiet", common.quiet, "no warnings and no progress on standard error").group = common_group;
+  table.add("--seed", common.seed, "for every random choice").with_default().group = common_group;
+  table.add("--threads", common.threads, "how many (default: all cores); the results do not depend on it")
+      .in_range(1, most_threads)
+      .group = common_group;
+}
+
+std::vector<Declared> declared(const std::vector<Command>& table) {
+  std::vector<Declared> list;
+  for (const Command& command : table) {
+    Declared& made = list.emplace_back(Declared{&command, {}, {}});
+    const auto common = std::make_shared<Common>();
+    made.run = [common, run = command.declare(made.options)](const Context& context) { return run(context); };
+    declare_common(made.options, *common);
+  }
+  return list;
+}
+
+std::string overview(const std::vector<Command>& table, const std::string& name, const std::string& program) {
+  const std::string start = program.empty() ? "" : program + " ";
+  const std::string kind = program.empty() ? "VERB" : "COMMAND";
+  const std::string before = name.empty() ? "" : name + " ";
+  std::string text = std::string(summary) + "\n\nUsage: " + start + before + kind + " [OPTIONS]\n";
+  std::vector<std::string> groups;
+  for (const Command& command : table)
+    if (std::string(command.name).starts_with(before) &&
+        std::find(groups.begin(), groups.end(), command.group) == groups.end())
+      groups.emplace_back(command.group);
+  for (const std::string& group : groups) {
+    std::vector<std::pair<std::string, std::string>> rows;
+    for (const Command& command : table)
+      if (command.group == group && std::string(command.name).starts_with(before))
+        rows.emplace_back("  " + std::string(command.name), command.summary);
+    text += "\n" + group + "\n" + block(rows);
+  }
+  text += "\n'" + start + "help " + before + kind + "' explains one" +
+          (program.empty() ? ".\n" : "; '" + start + "--version' tells the version.\n");
+  if (name.empty())
+    text += "A triangulation is a file, - for standard input, an isomorphism signature, or a census name.\n"
+            "Exit status: 0 done, 1 proved no, 2 bad usage or input, 3 our fault, 4 undecided, 130 "
+            "interrupted.\n";
+  return text;
+}
+
+Json describe(const std::vector<Command>& table) {
+  Json json{{"program", "tetrarch"},     {"version", TETRARCH_VERSION}, {"summary", summary},
+            {"commands", Json::array()}, {"common", common_json()},     {"exit_status", exit_statuses()}};
+  for (const Declared& command : declared(table)) json["commands"].push_back(command_json(command));
   return json;
 }
 
 std::vector<std::string> first_words(const std::vector<Command>& table) {
-  std::vector<std::string> words;
-  for (const Command& command : table) {
-    const std::string name = command.name;
-    const std::string word = name.substr(0, name.find(' '));
-    if (std::find(words.begin(), words.end(), word) == words.end()) words.push_back(word);
-  }
-  return words;
+  return next_words(table, "");
 }
 
-Run declare_help(CLI::App& app) {
+Run declare_help(OptionTable& table) {
   const auto words = std::make_shared<std::vector<std::string>>();
-  app.add_option("COMMAND", *words, "what to explain; nothing: the list of commands");
-  // The command line outlives the run.
-  return [words, &line = *app.get_parent()](const Context&) { return help(line, *words); };
+  table.add("COMMAND", *words, "what to explain; nothing: the list of commands");
+  return [words](const Context& context) { return help(context, *words); };
 }
 
 } // namespace tetrarch::program

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
-/// The table of commands, told from the command line that is made of it: for the verb `help`, and through
-/// `help --json` for man pages, completions and tests.
+/// The table of commands, told: for the verb `help`, for completions, and through `help --json` for manual
+/// pages and tests.
 
 #include "command.hpp"
 
@@ -12,28 +12,34 @@
 
 namespace tetrarch::program {
 
-/// Stands before the example at the end of a help page.
-inline constexpr const char* example_heading = "Example:\n  ";
-
-/// The subcommand of this name; null if there is none.
-CLI::App* child(const CLI::App& app, const std::string& name);
-
-/// "--threads", "-o": every spelling of every option of one command.
-std::vector<std::string> option_names(const CLI::App& app);
-
 /// The command that words name, and how many of them do.
 struct Named {
-  const CLI::App* app;
-  std::string name; ///< "census list"
+  const Command* command = nullptr; ///< null: the words name all of them, or a group
+  std::string name;                 ///< "census list"; of a group "census"; of all, empty
   std::size_t words = 0;
 };
 /// Stops at the first option, and where a command has no further ones below it. Throws InputError for a word
 /// that is none of the commands expected.
-Named named_command(const CLI::App& app, const std::vector<std::string>& words);
+Named named_command(const std::vector<Command>& table, const std::vector<std::string>& words);
 
-/// {"program", "version", "summary", "commands": [{"name", "summary", "example", "arguments", "options"}],
-/// "common": the options that every command has, "exit_status"}.
-Json describe(const CLI::App& app);
+/// A command with its options, the common ones included.
+struct Declared {
+  const Command* command;
+  OptionTable options;
+  Run run; ///< owns what the options write to
+};
+/// All commands; they refer to `table`.
+std::vector<Declared> declared(const std::vector<Command>& table);
+
+/// "--json", "--quiet", "--seed", "--threads", in a group of their own.
+void declare_common(OptionTable& table, Common& common);
+
+/// The commands by group with a line each; with a `name` ("census"), those that begin with it.
+std::string overview(const std::vector<Command>& table, const std::string& name, const std::string& program);
+
+/// {"program", "version", "summary", "commands": [{"name", "group", "summary", "example", "arguments",
+/// "options"}], "common": the options that every command has, "exit_status"}.
+Json describe(const std::vector<Command>& table);
 
 /// "info", "census": what a command line can begin with.
 std::vector<std::string> first_words(const std::vector<Command>& table);

@@ -12,7 +12,6 @@
 #include "tetrarch/scene/files.hpp"
 #include "tetrarch/scene/in_model.hpp"
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <memory>
 #include <optional>
@@ -148,8 +147,8 @@ std::vector<std::pair<std::string, std::string>> report(const Embedding& e, cons
           {"boundary planes", scientific(r.boundary_plane, 1)},
           {"Gauss-Bonnet", scientific(r.gauss_bonnet, 1)},
           {"copies", std::to_string(piece.copies.size()) + ", words up to length " +
-                         std::to_string(p["longest_word"].get<int>()) + ", up to distance " +
-                         fixed(p["farthest"].get<double>(), 3)}};
+                         std::to_string(p["longest_word"].integer()) + ", up to distance " +
+                         fixed(p["farthest"].number(), 3)}};
 }
 
 /// What is drawn: the domain and its copies, or one boundary component and its copies.
@@ -227,30 +226,31 @@ Result run_embed(const Options& options, const Context& context) {
 
 } // namespace
 
-Run declare_embed(CLI::App& app) {
+Run declare_embed(OptionTable& table) {
   const auto o = std::make_shared<Options>();
-  app.add_option("X", o->input, "a triangulation that carries a structure")->required();
-  app.add_option("-o,--output", o->output,
-                 "a picture: .glb, .ply, .obj or .vtu; .svg: the circles at infinity, or a boundary's tiling")
-      ->type_name("FILE");
-  app.add_option("--copies", o->copies, "at most so many copies of the domain (1 if nothing bounds them)");
-  app.add_option("--word-length", o->word_length, "copies at most so many face crossings away");
-  app.add_option("--radius", o->radius, "copies whose centres are at most so far away");
-  app.add_option("--boundary", o->boundary, "only this boundary component or cusp, unrolled in the plane");
-  app.add_option("--model", o->model, "half-space, ball or klein")
-      ->check(CLI::IsMember({"half-space", "ball", "klein"}))
-      ->capture_default_str();
-  app.add_option("--color", o->colors, "faces by tetrahedron, face or word-length")
-      ->check(CLI::IsMember({"tetrahedron", "face", "word-length"}))
-      ->capture_default_str();
-  app.add_option("--chord-error", o->chord_error,
-                 "how far a chord may be from its curve, in the model (0: 1/400 of the domain's size)")
-      ->capture_default_str();
-  app.add_option("--tube-radius", o->tube_radius, "hyperbolic radius of the edges; 0: none")
-      ->capture_default_str();
-  app.add_flag("--outside", o->outside, "leave out the faces inside a copy");
-  app.add_option("--cusp-area", o->cusp_area, "where cusps are cut off")->capture_default_str();
-  app.add_option("--memory", o->memory, "gigabytes that may be used")->capture_default_str();
+  table.add("X", o->input, "a triangulation that carries a structure").required();
+  table
+      .add("-o,--output", o->output,
+           "a picture: .glb, .ply, .obj or .vtu; .svg: the circles at infinity, or a boundary's tiling")
+      .value_name("FILE");
+  table.add("--copies", o->copies, "at most so many copies of the domain (1 if nothing bounds them)");
+  table.add("--word-length", o->word_length, "copies at most so many face crossings away");
+  table.add("--radius", o->radius, "copies whose centres are at most so far away");
+  table.add("--boundary", o->boundary, "only this boundary component or cusp, unrolled in the plane");
+  table.add("--model", o->model, "half-space, ball or klein")
+      .one_of({"half-space", "ball", "klein"})
+      .with_default();
+  table.add("--color", o->colors, "faces by tetrahedron, face or word-length")
+      .one_of({"tetrahedron", "face", "word-length"})
+      .with_default();
+  table
+      .add("--chord-error", o->chord_error,
+           "how far a chord may be from its curve, in the model (0: 1/400 of the domain's size)")
+      .with_default();
+  table.add("--tube-radius", o->tube_radius, "hyperbolic radius of the edges; 0: none").with_default();
+  table.add("--outside", o->outside, "leave out the faces inside a copy");
+  table.add("--cusp-area", o->cusp_area, "where cusps are cut off").with_default();
+  table.add("--memory", o->memory, "gigabytes that may be used").with_default();
   return [o](const Context& context) { return run_embed(*o, context); };
 }
 

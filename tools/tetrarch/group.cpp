@@ -7,7 +7,6 @@
 #include "tetrarch/algebra/group.hpp"
 #include "tetrarch/format/group_json.hpp"
 
-#include <CLI/CLI.hpp>
 #include <memory>
 
 namespace tetrarch::program {
@@ -43,13 +42,13 @@ Result describe_group(const std::string& input, bool as_given, const std::string
 
 } // namespace
 
-Run declare_group(CLI::App& app) {
+Run declare_group(OptionTable& table) {
   const auto input = std::make_shared<std::string>();
   const auto as_given = std::make_shared<bool>(false);
   const auto output = std::make_shared<std::string>();
-  app.add_option("X", *input, "a triangulation or mesh, or a presentation: '< a, b | abAB >'")->required();
-  app.add_flag("--as-given", *as_given, "leave the presentation as it is read off, or as it stands");
-  app.add_option("-o,--output", *output, "the presentation, as JSON")->type_name("FILE");
+  table.add("X", *input, "a triangulation or mesh, or a presentation: '< a, b | abAB >'").required();
+  table.add("--as-given", *as_given, "leave the presentation as it is read off, or as it stands");
+  table.add("-o,--output", *output, "the presentation, as JSON").value_name("FILE");
   return [input, as_given, output](const Context& context) {
     return describe_group(*input, *as_given, *output, context);
   };

@@ -9,7 +9,6 @@
 #include "tetrarch/format/json.hpp"
 #include "tetrarch/hyperbolic/search.hpp"
 
-#include <CLI/CLI.hpp>
 #include <memory>
 #include <sstream>
 
@@ -176,20 +175,19 @@ Result hyperbolize(const Options& options, const Context& context) {
 
 } // namespace
 
-Run declare_hyperbolize(CLI::App& app) {
+Run declare_hyperbolize(OptionTable& table) {
   const auto options = std::make_shared<Options>();
-  app.add_option("X", options->input, "a triangulation or mesh; its boundary becomes geodesic, or a cusp")
-      ->required();
-  app.add_option("--method", options->method, "the flow is Luo's, from length 1")
-      ->check(CLI::IsMember({"newton", "flow"}))
-      ->capture_default_str();
-  app.add_option("--history", options->history, "the flow's history of sum K^2, as CSV")->type_name("FILE");
-  app.add_option("-o,--output", options->output, "the triangulation with its metric, as JSON")
-      ->type_name("FILE");
-  app.add_flag("--as-given", options->as_given, "solve on the triangulation as it is, and on no other");
-  app.add_option("--attempts", options->attempts, "on how many triangulations to seek a structure")
-      ->check(CLI::Range(1, 10'000'000))
-      ->capture_default_str();
+  table.add("X", options->input, "a triangulation or mesh; its boundary becomes geodesic, or a cusp")
+      .required();
+  table.add("--method", options->method, "the flow is Luo's, from length 1")
+      .one_of({"newton", "flow"})
+      .with_default();
+  table.add("--history", options->history, "the flow's history of sum K^2, as CSV").value_name("FILE");
+  table.add("-o,--output", options->output, "the triangulation with its metric, as JSON").value_name("FILE");
+  table.add("--as-given", options->as_given, "solve on the triangulation as it is, and on no other");
+  table.add("--attempts", options->attempts, "on how many triangulations to seek a structure")
+      .in_range(1, 10'000'000)
+      .with_default();
   return [options](const Context& context) {
     if (!options->history.empty() && options->method != "flow")
       throw InputError("--history needs --method flow: Newton's method has no flow to record");

@@ -11,7 +11,6 @@
 #include "tetrarch/format/read.hpp"
 #include "tetrarch/moves/subdivide.hpp"
 
-#include <CLI/CLI.hpp>
 #include <memory>
 
 namespace tetrarch::program {
@@ -103,25 +102,25 @@ Result subdivide(const SubdivideOptions& options, const Context& context) {
 
 } // namespace
 
-Run declare_census_identify(CLI::App& app) {
+Run declare_census_identify(OptionTable& table) {
   const auto input = std::make_shared<std::string>();
   const auto attempts = std::make_shared<int>(census::IdentifyOptions().attempts);
-  app.add_option("X", *input, "a triangulation, or a mesh")->required();
-  app.add_option("--attempts", *attempts, "triangulations on which a structure is sought")
-      ->check(CLI::Range(1, 1'000'000))
-      ->capture_default_str();
+  table.add("X", *input, "a triangulation, or a mesh").required();
+  table.add("--attempts", *attempts, "triangulations on which a structure is sought")
+      .in_range(1, 1'000'000)
+      .with_default();
   return [input, attempts](const Context& context) { return identify(*input, *attempts, context); };
 }
 
-Run declare_subdivide(CLI::App& app) {
+Run declare_subdivide(OptionTable& table) {
   const auto options = std::make_shared<SubdivideOptions>();
-  app.add_option("X", options->input, "a triangulation, or a mesh")->required();
-  app.add_flag("--finite", options->finite, "first give ideal vertices real boundary: cut them off");
-  app.add_option("--barycentric", options->barycentric, "then so many times 24 tetrahedra for each one")
-      ->check(CLI::Range(0, 5));
-  app.add_flag("--one-four", options->one_four, "then 4 for each one");
-  app.add_option("-o,--output", options->output, "the file to write (its extension names the format)")
-      ->type_name("FILE");
+  table.add("X", options->input, "a triangulation, or a mesh").required();
+  table.add("--finite", options->finite, "first give ideal vertices real boundary: cut them off");
+  table.add("--barycentric", options->barycentric, "then so many times 24 tetrahedra for each one")
+      .in_range(0, 5);
+  table.add("--one-four", options->one_four, "then 4 for each one");
+  table.add("-o,--output", options->output, "the file to write (its extension names the format)")
+      .value_name("FILE");
   return [options](const Context& context) { return subdivide(*options, context); };
 }
 

@@ -11,7 +11,6 @@
 #include "tetrarch/core/check.hpp"
 #include "tetrarch/core/signature.hpp"
 
-#include <CLI/CLI.hpp>
 #include <memory>
 
 namespace tetrarch::program {
@@ -96,9 +95,9 @@ Info info_of(const Triangulation& tri, const std::string& name, const Progress& 
   return out;
 }
 
-Run declare_info(CLI::App& app) {
+Run declare_info(OptionTable& table) {
   const auto input = std::make_shared<std::string>();
-  app.add_option("X", *input, "a triangulation")->required();
+  table.add("X", *input, "a triangulation").required();
   return [input](const Context& context) {
     const format::Document document = read_triangulation(*input, context);
     Info info = info_of(document.triangulation, document.name, context.progress);

@@ -110,7 +110,7 @@ Done run_job(const Job& job, const Values* values, const std::string& speaker) {
   };
   const ProgressBar bar(!common.quiet);
   try {
-    const Context context{common, Progress(bar.report(), interrupts().token()), values};
+    const Context context{common, Progress(bar.report(), interrupts().token()), values, nullptr, {}};
     Result result = job.run(context);
     bar.clear();
     deliver(result, common, speaker);

@@ -12,7 +12,6 @@
 #include "tetrarch/moves/boundary_moves.hpp"
 #include "tetrarch/moves/log.hpp"
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
 #include <memory>
@@ -198,18 +197,18 @@ Result make_moves(const Options& options, const Context& context) {
 
 } // namespace
 
-Run declare_move(CLI::App& app) {
+Run declare_move(OptionTable& table) {
   const auto options = std::make_shared<Options>();
-  app.add_option("X", options->input, "a triangulation or mesh")->required();
-  app.add_option("MOVE", options->words,
-                 "a name and the numbers of its place, as --list shows them: 2-3 0 1 is across face 1 of "
-                 "tetrahedron 0; several are made one after the other, all or none");
-  app.add_flag("--list", options->list,
-               "make no move, but list those that are legal, of the kinds named or all");
-  app.add_option("--log", options->log, "make the moves of a file, as simplify --moves writes it")
-      ->type_name("FILE");
-  app.add_option("-o,--output", options->output, "the file to write (its extension names the format)")
-      ->type_name("FILE");
+  table.add("X", options->input, "a triangulation or mesh").required();
+  table.add("MOVE", options->words,
+            "a name and the numbers of its place, as --list shows them: 2-3 0 1 is across face 1 of "
+            "tetrahedron 0; several are made one after the other, all or none");
+  table.add("--list", options->list,
+            "make no move, but list those that are legal, of the kinds named or all");
+  table.add("--log", options->log, "make the moves of a file, as simplify --moves writes it")
+      .value_name("FILE");
+  table.add("-o,--output", options->output, "the file to write (its extension names the format)")
+      .value_name("FILE");
   return [options](const Context& context) {
     if (options->words.empty() == options->log.empty() && !options->list)
       throw InputError("expected moves, either typed or by --log FILE");

@@ -9,36 +9,72 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <limits>
 #include <memory>
-#include <sstream>
 #include <thread>
 
 namespace tetrarch::program {
 namespace {
 
-void declare_common(CLI::App& app, Common& common) {
-  constexpr int most_threads = 256;
-  app.add_flag("--json", common.json, "one JSON object on standard output and nothing else");
-  app.add_flag("--quiet", common.quiet, "no warnings and no progress on standard error");
-  app.add_option("--seed", common.seed, "for every random choice")->capture_default_str();
-  app.add_option("--threads", common.threads,
-                 "how many (default: all cores); the results do not depend on it")
-      ->check(CLI::Range(1, most_threads));
+constexpr const char* example_heading = "Example:\n  ";
+
+void check_range(CLI::Option& made, const Option& option) {
+  const auto [least, most] = *option.range;
+  if (most == std::numeric_limits<double>::max())
+    made.check(least > 0 ? static_cast<const CLI::Validator&>(CLI::PositiveNumber) : CLI::NonNegativeNumber);
+  else if (std::holds_alternative<double*>(option.target))
+    made.check(CLI::Range(least, most));
+  else
+    made.check(CLI::Range(static_cast<int>(least), static_cast<int>(most)));
 }
 
-/// The subcommand for a name of one or two words, with the group made on the way.
-CLI::App& subcommand(CLI::App& app, const Command& command) {
-  const std::string name = command.name;
-  const std::size_t space = name.find(' ');
-  if (space == std::string::npos) return *app.add_subcommand(name, command.summary);
-  const std::string group = name.substr(0, space);
-  CLI::App* parent = child(app, group);
-  if (parent == nullptr) {
-    parent = app.add_subcommand(group, "the classified manifolds, and how they were found");
-    parent->require_subcommand(1);
-  }
-  return *parent->add_subcommand(name.substr(space + 1), command.summary);
+std::string spelled(const std::vector<std::string>& names) {
+  std::string text;
+  for (const std::string& name : names) text += (text.empty() ? "" : ",") + name;
+  return text;
 }
+
+void add(CLI::App& app, const Option& option) {
+  CLI::Option* made = std::visit(
+      [&](auto* variable) {
+        if constexpr (std::is_same_v<decltype(variable), bool*>)
+          return app.add_flag(spelled(option.names), *variable, option.help);
+        else
+          return app.add_option(spelled(option.names), *variable, option.help);
+      },
+      option.target);
+  if (!option.value.empty()) made->type_name(option.value);
+  if (!option.choices.empty()) made->check(CLI::IsMember(option.choices));
+  if (option.range) check_range(*made, option);
+  if (option.is_argument())
+    made->type_name(""); // its name says what it is
+  else if (option.words > 1)
+    made->expected(option.words);
+  else if (option.repeats())
+    made->allow_extra_args(false);
+  if (!option.excluded.empty()) made->excludes(app.get_option(option.excluded));
+  if (!option.group.empty()) made->group(option.group);
+  if (option.shows_default) made->capture_default_str();
+  made->required(option.is_required);
+}
+
+/// The words of one command, and what they are written to.
+struct CommandLine {
+  CLI::App app;
+  Common common;
+  OptionTable options;
+  Run run;
+
+  CommandLine(const CommandLine&) = delete;
+  CommandLine& operator=(const CommandLine&) = delete;
+  CommandLine(const Command& command, const std::string& program, const Common& defaults)
+      : app(command.summary, (program.empty() ? "" : program + " ") + command.name), common(defaults),
+        run(command.declare(options)) {
+    declare_common(options, common);
+    for (const Option& option : options.options()) add(app, option);
+    app.footer(example_heading + (program.empty() ? "" : program + " ") + command.example);
+  }
+};
 
 /// An option as it is typed: no number.
 bool looks_like_option(const std::string& word) {
@@ -47,45 +83,37 @@ bool looks_like_option(const std::string& word) {
   return second != '.' && !(second >= '0' && second <= '9');
 }
 
-void require_known_options(const Named& command, const std::vector<std::string>& words) {
-  const std::vector<std::string> known = option_names(*command.app);
+[[noreturn]] void refuse_option(const std::string& word, const std::string& command,
+                                const std::vector<std::string>& known) {
+  const bool is_long = word[1] == '-';
+  const std::string name = is_long ? word.substr(0, word.find('=')) : word.substr(0, 2);
+  throw InputError("unknown option '" + name + "'" + (command.empty() ? "" : " of '" + command + "'") +
+                   did_you_mean(name, known));
+}
+
+void require_known_options(const Named& command, const std::vector<std::string>& words,
+                           const OptionTable& options) {
+  std::vector<std::string> known{"-h", "--help"};
+  for (const Option& option : options.options())
+    if (!option.is_argument()) known.insert(known.end(), option.names.begin(), option.names.end());
   for (std::size_t k = command.words; k < words.size() && words[k] != "--"; ++k) {
     if (!looks_like_option(words[k])) continue;
     const bool is_long = words[k][1] == '-';
     const std::string name = is_long ? words[k].substr(0, words[k].find('=')) : words[k].substr(0, 2);
-    if (std::find(known.begin(), known.end(), name) != known.end()) continue;
-    throw InputError("unknown option '" + name + "'" +
-                     (command.name.empty() ? "" : " of '" + command.name + "'") + did_you_mean(name, known));
+    if (std::find(known.begin(), known.end(), name) == known.end()) refuse_option(name, command.name, known);
   }
 }
 
-/// A command line and what its callbacks write to.
-struct CommandLine {
-  CLI::App app;
-  Common common;
-  Run chosen;
-
-  CommandLine(const CommandLine&) = delete;
-  CommandLine& operator=(const CommandLine&) = delete;
-  CommandLine(const std::vector<Command>& table, const std::string& program, const Common& defaults)
-      : app("Tetrarch: a combinatorial topology engine for triangulated 3-manifolds.", program),
-        common(defaults) {
-    app.require_subcommand(1);
-    app.set_version_flag("--version", version_text());
-    app.footer(
-        "A triangulation is a file, - for standard input, an isomorphism signature, or a census name.\n"
-        "Exit status: 0 done, 1 proved no, 2 bad usage or input, 3 our fault, 4 undecided, 130 interrupted.");
-    for (const Command& command : table) {
-      CLI::App& sub = subcommand(app, command);
-      Run run = command.declare(sub);
-      declare_common(sub, common);
-      for (CLI::Option* option : sub.get_options())
-        if (option->get_positional()) option->type_name(""); // its name says what it is
-      sub.footer(example_heading + (program.empty() ? "" : program + " ") + command.example);
-      sub.callback([this, run = std::move(run)] { chosen = run; });
-    }
-  }
-};
+/// What words say that name no command: everything, or a group such as `census`.
+std::string text_without_command(const Named& named, const std::vector<std::string>& words,
+                                 const std::vector<Command>& table, const std::string& program) {
+  if (named.words == words.size()) return overview(table, named.name, program);
+  const std::string& word = words[named.words];
+  if (word == "-h" || word == "--help") return overview(table, named.name, program);
+  if (!named.name.empty() || word != "--version")
+    refuse_option(word, named.name, {"-h", "--help", "--version"});
+  return version_text() + "\n";
+}
 
 } // namespace
 
@@ -97,26 +125,29 @@ Common usual_options() {
 
 Parsed parse(const std::vector<std::string>& words, const std::vector<Command>& table,
              const std::string& program, const Common& defaults) {
-  const auto line = std::make_shared<CommandLine>(table, program, defaults);
-  const Named command = named_command(line->app, words);
-  require_known_options(command, words);
+  const Named named = named_command(table, words);
+  if (named.command == nullptr) return {std::nullopt, text_without_command(named, words, table, program)};
+  const auto line = std::make_shared<CommandLine>(*named.command, program, defaults);
+  require_known_options(named, words, line->options);
   try {
-    line->app.parse(std::vector<std::string>(words.rbegin(), words.rend())); // taken from the back
-  } catch (const CLI::Success& e) {                                          // help or version
-    std::ostringstream text;
-    line->app.exit(e, text, text);
-    return {std::nullopt, text.str()};
+    line->app.parse(std::vector<std::string>(
+        words.rbegin(), words.rend() - static_cast<std::ptrdiff_t>(named.words))); // taken from the back
+  } catch (const CLI::CallForHelp&) {
+    return {std::nullopt, line->app.help()};
   } catch (const CLI::ParseError& e) {
     const std::string message = e.what();
-    throw InputError((command.name.empty() ? "" : command.name + ": ") +
-                     message.substr(0, message.find('\n')));
+    throw InputError(named.name + ": " + message.substr(0, message.find('\n')));
   }
-  // `help` looks at the command line when it runs.
-  return {Job{line->common, [line](const Context& context) { return line->chosen(context); }}, {}};
+  const auto run = [line, program, &table](Context context) {
+    context.commands = &table;
+    context.program = program;
+    return line->run(context);
+  };
+  return {Job{line->common, run}, {}};
 }
 
-Json described(const std::vector<Command>& table) {
-  return describe(CommandLine(table, "", {}).app);
+std::string help_page(const Command& command, const std::string& program) {
+  return CommandLine(command, program, {}).app.help();
 }
 
 } // namespace tetrarch::program

@@ -18,7 +18,6 @@
 #include "tetrarch/scene/files.hpp"
 #include "tetrarch/scene/page.hpp"
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
 #include <memory>
@@ -276,84 +275,82 @@ Result run_product(const Options& options, const Context& context) {
 
 } // namespace
 
-Run declare_product(CLI::App& app) {
+Run declare_product(OptionTable& table) {
   const auto o = std::make_shared<Options>();
-  app.add_option("MESH", o->input, "a handlebody of tetrahedra: .mesh, .msh, .node/.ele, .vtk or .vtu")
-      ->required();
-  app.add_option(
-         "--labels", o->partition.labels,
-         "labels of floor and ceiling among the triangles of the file, such as 1,2; walls have others "
-         "or none")
-      ->type_name("F,C");
-  app.add_option("--floor", o->partition.floor,
-                 "a seed for the floor, v17: vertex 17, counted from 0; from there on, triangles are flooded")
-      ->type_name("VERTEX");
-  app.add_option("--ceiling", o->partition.ceiling, "a seed for the ceiling")->type_name("VERTEX");
-  app.add_option("--threshold", o->partition.threshold,
-                 "of flooding: how far normals may differ from that at the seed, as 1 - cosine")
-      ->check(CLI::Range(0.0, 2.0))
-      ->capture_default_str();
-  app.add_option("--cycle", o->partition.cycles,
-                 "a rim between floor or ceiling and wall: vertices along boundary edges, 3,17,20; repeated")
-      ->type_name("LIST")
-      ->allow_extra_args(false);
-  app.add_option("--tunnel", o->partition.tunnels,
-                 "a loop around a wall, likewise; with --extend; repeated, once for each wall")
-      ->type_name("LIST")
-      ->allow_extra_args(false);
-  app.add_option("--extend", o->partition.extend, "how far tunnel loops are extended to both sides");
-  app.add_option("--outer", o->partition.outer,
-                 "a vertex on the wall that is to be the outer one (default: that with the longest rim)")
-      ->type_name("VERTEX");
-  app.add_option("--floor-map", o->floor_map,
-                 "the unit disk with round holes, or a rectangle with rectangular ones")
-      ->check(CLI::IsMember({"circular", "rectangle"}))
-      ->capture_default_str();
-  app.add_option("--corners", o->corners,
-                 "of the rectangle: four vertices of the outer rim, such as 3,17,20,8")
-      ->type_name("LIST");
-  app.add_option("--height", o->height, "of the domain (default: that which keeps the floor's aspect ratio)")
-      ->check(CLI::PositiveNumber);
-  app.add_option("--follow", o->follow,
-                 "what fibres follow: means of the gradient at vertices, or the gradient itself")
-      ->check(CLI::IsMember({"smoothed", "gradient"}))
-      ->capture_default_str();
-  app.add_option("--weights", o->weights,
-                 "of the field: cotangents, or those with negative ones set to 0, so that it has no extrema "
-                 "inside; auto takes these where cotangents leave critical places")
-      ->check(CLI::IsMember({"auto", "cotangent", "clamped"}))
-      ->capture_default_str();
-  app.add_flag("--anyway", o->anyway, "go on where the field has critical places");
-  app.add_option("--hex", o->hex,
-                 "make hexahedra, so many across the rectangle's width (implies --floor-map rectangle)")
-      ->check(CLI::Range(1, 100'000));
-  app.add_option("--layers", o->layers, "of hexahedra (default: as high as wide)")
-      ->check(CLI::Range(1, 100'000));
-  app.add_flag("--smooth", o->smooth, "improve hexahedra, moving points inside");
-  app.add_option(
-         "--polycube", o->polycube,
-         "make hexahedra by a polycube: a mesh whose vertex k is the image, on a surface of cubes, of the "
-         "solid's vertex k; those inside do not matter")
-      ->type_name("MESH");
-  app.add_option("--step", o->step, "of the lattice of the polycube's corners")
-      ->check(CLI::PositiveNumber)
-      ->capture_default_str();
-  app.add_option("--cells", o->cells, "hexahedra along a step")
-      ->check(CLI::Range(1, 1000))
-      ->capture_default_str();
-  app.add_option("--show", o->show, "what is written: the solid, or its domain")
-      ->check(CLI::IsMember({"solid", "domain"}))
-      ->capture_default_str();
-  app.add_option("--fibers", o->fibers, "so many fibres are drawn")
-      ->check(CLI::Range(0, 100'000))
-      ->capture_default_str();
-  app.add_option(
-         "-o,--output", o->outputs,
-         "tetrahedra or hexahedra with their data (.json, .vtu, .mesh), the surface with fibres (.glb, .ply, "
-         ".obj), or a page with solid and domain (.html); may be repeated")
-      ->type_name("FILE")
-      ->allow_extra_args(false);
-  app.add_flag("--repair", o->repair, "turn inverted tetrahedra, remove duplicates and unused points first");
+  table.add("MESH", o->input, "a handlebody of tetrahedra: .mesh, .msh, .node/.ele, .vtk or .vtu").required();
+  table
+      .add("--labels", o->partition.labels,
+           "labels of floor and ceiling among the triangles of the file, such as 1,2; walls have others "
+           "or none")
+      .value_name("F,C");
+  table
+      .add("--floor", o->partition.floor,
+           "a seed for the floor, v17: vertex 17, counted from 0; from there on, triangles are flooded")
+      .value_name("VERTEX");
+  table.add("--ceiling", o->partition.ceiling, "a seed for the ceiling").value_name("VERTEX");
+  table
+      .add("--threshold", o->partition.threshold,
+           "of flooding: how far normals may differ from that at the seed, as 1 - cosine")
+      .in_range(0.0, 2.0)
+      .with_default();
+  table
+      .add("--cycle", o->partition.cycles,
+           "a rim between floor or ceiling and wall: vertices along boundary edges, 3,17,20; repeated")
+      .value_name("LIST");
+  table
+      .add("--tunnel", o->partition.tunnels,
+           "a loop around a wall, likewise; with --extend; repeated, once for each wall")
+      .value_name("LIST");
+  table.add("--extend", o->partition.extend, "how far tunnel loops are extended to both sides");
+  table
+      .add("--outer", o->partition.outer,
+           "a vertex on the wall that is to be the outer one (default: that with the longest rim)")
+      .value_name("VERTEX");
+  table
+      .add("--floor-map", o->floor_map,
+           "the unit disk with round holes, or a rectangle with rectangular ones")
+      .one_of({"circular", "rectangle"})
+      .with_default();
+  table.add("--corners", o->corners, "of the rectangle: four vertices of the outer rim, such as 3,17,20,8")
+      .value_name("LIST");
+  table.add("--height", o->height, "of the domain (default: that which keeps the floor's aspect ratio)")
+      .positive();
+  table
+      .add("--follow", o->follow,
+           "what fibres follow: means of the gradient at vertices, or the gradient itself")
+      .one_of({"smoothed", "gradient"})
+      .with_default();
+  table
+      .add("--weights", o->weights,
+           "of the field: cotangents, or those with negative ones set to 0, so that it has no extrema "
+           "inside; auto takes these where cotangents leave critical places")
+      .one_of({"auto", "cotangent", "clamped"})
+      .with_default();
+  table.add("--anyway", o->anyway, "go on where the field has critical places");
+  table
+      .add("--hex", o->hex,
+           "make hexahedra, so many across the rectangle's width (implies --floor-map rectangle)")
+      .in_range(1, 100'000);
+  table.add("--layers", o->layers, "of hexahedra (default: as high as wide)").in_range(1, 100'000);
+  table.add("--smooth", o->smooth, "improve hexahedra, moving points inside");
+  table
+      .add("--polycube", o->polycube,
+           "make hexahedra by a polycube: a mesh whose vertex k is the image, on a surface of cubes, of the "
+           "solid's vertex k; those inside do not matter")
+      .value_name("MESH");
+  table.add("--step", o->step, "of the lattice of the polycube's corners").positive().with_default();
+  table.add("--cells", o->cells, "hexahedra along a step").in_range(1, 1000).with_default();
+  table.add("--show", o->show, "what is written: the solid, or its domain")
+      .one_of({"solid", "domain"})
+      .with_default();
+  table.add("--fibers", o->fibers, "so many fibres are drawn").in_range(0, 100'000).with_default();
+  table
+      .add("-o,--output", o->outputs,
+           "tetrahedra or hexahedra with their data (.json, .vtu, .mesh), the surface with fibres (.glb, "
+           ".ply, "
+           ".obj), or a page with solid and domain (.html); may be repeated")
+      .value_name("FILE");
+  table.add("--repair", o->repair, "turn inverted tetrahedra, remove duplicates and unused points first");
   return [o](const Context& context) { return run_product(*o, context); };
 }
 

@@ -77,7 +77,8 @@ format::MeshDocument product_document(const ProductMade& made, const ProductTitl
     mesh.soup = labelled_mesh(made);
     mesh.fields = {field_of("uvw", On::vertices, made.uvw)};
   }
-  mesh.provenance = {{"command", "product"}, {"input", title.input}, {"floor_map", title.floor_map}};
+  mesh.provenance = format::JsonValue::parse(
+      Json{{"command", "product"}, {"input", title.input}, {"floor_map", title.floor_map}}.dump());
   return mesh;
 }
 

@@ -11,7 +11,6 @@
 #include "tetrarch/slit/registration.hpp"
 #include "tetrarch/slit/unflip.hpp"
 
-#include <CLI/CLI.hpp>
 #include <memory>
 #include <sstream>
 
@@ -121,7 +120,8 @@ format::MeshDocument document(const std::vector<std::array<double, 3>>& points,
   for (const std::complex<double> z : r.position) places.push_back({z.real(), z.imag()});
   mesh.fields = {field_of("place", vertices, places), field_of("first", vertices, first.points),
                  field_of("quasi_conformal", triangles, r.quasi_conformal)};
-  mesh.provenance = {{"command", "register"}, {"first", options.first}, {"second", options.second}};
+  mesh.provenance = format::JsonValue::parse(
+      Json{{"command", "register"}, {"first", options.first}, {"second", options.second}}.dump());
   return mesh;
 }
 
@@ -176,31 +176,29 @@ Result run_register(const Options& options, const Context& context) {
 
 } // namespace
 
-Run declare_register(CLI::App& app) {
+Run declare_register(OptionTable& table) {
   const auto o = std::make_shared<Options>();
-  app.add_option("FIRST", o->first, "a sphere with two holes or more: OBJ, OFF, PLY or STL")->required();
-  app.add_option("SECOND", o->second, "another one with as many holes")->required();
-  app.add_option(
-         "--match", o->match,
-         "for each boundary loop of FIRST the one of SECOND, such as 0,2,1 or v3,v17,v20 (default: those "
-         "of the same number)")
-      ->type_name("LIST");
-  app.add_option("--outer", o->outer,
-                 "the loop of FIRST that becomes the outer circle of the disk, as for slit")
-      ->type_name("LOOP")
-      ->capture_default_str();
-  app.add_option("--inner", o->inner, "and the one about its centre")
-      ->type_name("LOOP")
-      ->capture_default_str();
-  app.add_flag("--unflip", o->unflip, "move vertices in the disks until no triangle is flipped");
-  app.add_flag("--as-placed", o->as_placed,
-               "compare and average where the surfaces are, without moving SECOND to FIRST");
-  app.add_option("-o,--output", o->resampled,
-                 "SECOND's shape with FIRST's vertices and triangles (.json, .obj, .ply, .vtu or .glb)")
-      ->type_name("FILE");
-  app.add_option("--average", o->average, "the shape half-way between both, likewise")->type_name("FILE");
-  app.add_flag("--repair", o->repair,
-               "mend orientation, unused vertices, duplicates, degenerate triangles first");
+  table.add("FIRST", o->first, "a sphere with two holes or more: OBJ, OFF, PLY or STL").required();
+  table.add("SECOND", o->second, "another one with as many holes").required();
+  table
+      .add("--match", o->match,
+           "for each boundary loop of FIRST the one of SECOND, such as 0,2,1 or v3,v17,v20 (default: those "
+           "of the same number)")
+      .value_name("LIST");
+  table.add("--outer", o->outer, "the loop of FIRST that becomes the outer circle of the disk, as for slit")
+      .value_name("LOOP")
+      .with_default();
+  table.add("--inner", o->inner, "and the one about its centre").value_name("LOOP").with_default();
+  table.add("--unflip", o->unflip, "move vertices in the disks until no triangle is flipped");
+  table.add("--as-placed", o->as_placed,
+            "compare and average where the surfaces are, without moving SECOND to FIRST");
+  table
+      .add("-o,--output", o->resampled,
+           "SECOND's shape with FIRST's vertices and triangles (.json, .obj, .ply, .vtu or .glb)")
+      .value_name("FILE");
+  table.add("--average", o->average, "the shape half-way between both, likewise").value_name("FILE");
+  table.add("--repair", o->repair,
+            "mend orientation, unused vertices, duplicates, degenerate triangles first");
   return [o](const Context& context) { return run_register(*o, context); };
 }
 

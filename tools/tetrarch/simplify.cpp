@@ -11,7 +11,6 @@
 #include "tetrarch/format/read.hpp"
 #include "tetrarch/moves/truncate.hpp"
 
-#include <CLI/CLI.hpp>
 #include <chrono>
 #include <memory>
 
@@ -28,15 +27,14 @@ struct Options {
   bool keep_boundary = false;
 };
 
-void declare_shared(CLI::App& app, Options& options) {
-  app.add_option("-o,--output", options.output, "the file to write (its extension names the format)")
-      ->type_name("FILE");
-  app.add_option("--moves", options.log, "write the log of all moves, one a line, to a file")
-      ->type_name("FILE");
-  app.add_flag("--repair", options.repair,
-               "mend in a mesh what can be mended: orientation, unused vertices, duplicates");
-  app.add_flag("--audit", options.audit,
-               "recheck every 1,000th move against everything computed from nothing; slow");
+void declare_shared(OptionTable& table, Options& options) {
+  table.add("-o,--output", options.output, "the file to write (its extension names the format)")
+      .value_name("FILE");
+  table.add("--moves", options.log, "write the log of all moves, one a line, to a file").value_name("FILE");
+  table.add("--repair", options.repair,
+            "mend in a mesh what can be mended: orientation, unused vertices, duplicates");
+  table.add("--audit", options.audit,
+            "recheck every 1,000th move against everything computed from nothing; slow");
 }
 
 /// What a run has cost and made, beside the triangulation itself.
@@ -163,23 +161,23 @@ Result truncate(const Options& options, const Context& context) {
 
 } // namespace
 
-Run declare_simplify(CLI::App& app) {
+Run declare_simplify(OptionTable& table) {
   const auto options = std::make_shared<Options>();
-  app.add_option("X", options->input, "a triangulation, or a mesh")->required();
-  app.add_flag("--keep-boundary", options->keep_boundary,
-               "leave the triangles of the real boundary as they are");
-  declare_shared(app, *options);
+  table.add("X", options->input, "a triangulation, or a mesh").required();
+  table.add("--keep-boundary", options->keep_boundary,
+            "leave the triangles of the real boundary as they are");
+  declare_shared(table, *options);
   return [options](const Context& context) { return simplify(*options, context); };
 }
 
-Run declare_truncate(CLI::App& app) {
+Run declare_truncate(OptionTable& table) {
   const auto options = std::make_shared<Options>();
-  app.add_option("MESH", options->input,
-                 "a mesh of tetrahedra, a closed surface, or a triangulation with boundary")
-      ->required();
-  app.add_flag("--keep-spheres", options->keep_spheres,
-               "truncate at boundary spheres too instead of filling them in");
-  declare_shared(app, *options);
+  table
+      .add("MESH", options->input, "a mesh of tetrahedra, a closed surface, or a triangulation with boundary")
+      .required();
+  table.add("--keep-spheres", options->keep_spheres,
+            "truncate at boundary spheres too instead of filling them in");
+  declare_shared(table, *options);
   return [options](const Context& context) { return truncate(*options, context); };
 }
 

@@ -5,7 +5,6 @@
 
 #include "tetrarch/core/skeleton.hpp"
 
-#include <CLI/CLI.hpp>
 #include <memory>
 
 namespace tetrarch::program {
@@ -104,9 +103,9 @@ Result describe_skeleton(const std::string& input, const Context& context) {
 
 } // namespace
 
-Run declare_skeleton(CLI::App& app) {
+Run declare_skeleton(OptionTable& table) {
   const auto input = std::make_shared<std::string>();
-  app.add_option("X", *input, "a triangulation or mesh")->required();
+  table.add("X", *input, "a triangulation or mesh").required();
   return [input](const Context& context) { return describe_skeleton(*input, context); };
 }
 

@@ -15,7 +15,6 @@
 #include "tetrarch/scene/slit.hpp"
 #include "tetrarch/slit/ricci.hpp"
 
-#include <CLI/CLI.hpp>
 #include <chrono>
 #include <memory>
 #include <optional>
@@ -293,7 +292,8 @@ format::MeshDocument document(const Made& made, const Options& options) {
     mesh.fields.push_back(field_of(f.name, vertices, f.values));
   for (const scene::Field& f : made.fields.triangles)
     mesh.fields.push_back(field_of(f.name, triangles, f.values));
-  mesh.provenance = {{"command", "slit"}, {"input", options.input}, {"domain", made.layout.name}};
+  mesh.provenance = format::JsonValue::parse(
+      Json{{"command", "slit"}, {"input", options.input}, {"domain", made.layout.name}}.dump());
   return mesh;
 }
 
@@ -350,63 +350,65 @@ Result run_slit(const Options& options, const Context& context) {
 
 } // namespace
 
-Run declare_slit(CLI::App& app) {
+Run declare_slit(OptionTable& table) {
   const auto o = std::make_shared<Options>();
-  app.add_option("SURFACE", o->input, "a sphere with holes: OBJ, OFF, PLY or STL")->required();
-  app.add_option("--domain", o->domain,
-                 "a cylinder with slits, the same unrolled, a ring with slits, or a disk with round holes")
-      ->check(CLI::IsMember({"cylindric", "parallel", "concentric", "circular"}))
-      ->capture_default_str();
-  app.add_option("--outer", o->outer,
-                 "the loop that becomes the outer circle: its number, from 0 by decreasing length, or v17: "
-                 "the loop through vertex 17, counted from 0")
-      ->type_name("LOOP")
-      ->capture_default_str();
-  app.add_option("--inner", o->inner, "the loop that becomes the inner circle, likewise")
-      ->type_name("LOOP")
-      ->capture_default_str();
-  app.add_option("--method", o->method,
-                 "of the circular domain: by harmonic functions and opened slits, or by discrete Ricci flow")
-      ->check(CLI::IsMember({"harmonic", "ricci"}))
-      ->capture_default_str();
-  app.add_option("--center", o->center,
-                 "of a surface with one loop, the vertex that goes to 0 (default: innermost)")
-      ->type_name("VERTEX");
-  app.add_option("--punch", o->openings.punch,
-                 "first punch a hole, v17:0.5 around vertex 17 with radius 0.5; may be repeated")
-      ->type_name("HOLE")
-      ->allow_extra_args(false);
-  app.add_option("--slice", o->openings.slice,
-                 "first slice along shortest paths through vertices, such as 3,17,20; may be repeated")
-      ->type_name("LIST")
-      ->allow_extra_args(false);
-  app.add_flag("--open-handles", o->openings.open_handles,
-               "first cut a surface of genus g along g short loops");
-  app.add_flag("--list-loops", o->list_loops, "list the boundary loops, and no more");
-  app.add_flag(
+  table.add("SURFACE", o->input, "a sphere with holes: OBJ, OFF, PLY or STL").required();
+  table
+      .add("--domain", o->domain,
+           "a cylinder with slits, the same unrolled, a ring with slits, or a disk with round holes")
+      .one_of({"cylindric", "parallel", "concentric", "circular"})
+      .with_default();
+  table
+      .add("--outer", o->outer,
+           "the loop that becomes the outer circle: its number, from 0 by decreasing length, or v17: "
+           "the loop through vertex 17, counted from 0")
+      .value_name("LOOP")
+      .with_default();
+  table.add("--inner", o->inner, "the loop that becomes the inner circle, likewise")
+      .value_name("LOOP")
+      .with_default();
+  table
+      .add("--method", o->method,
+           "of the circular domain: by harmonic functions and opened slits, or by discrete Ricci flow")
+      .one_of({"harmonic", "ricci"})
+      .with_default();
+  table
+      .add("--center", o->center,
+           "of a surface with one loop, the vertex that goes to 0 (default: innermost)")
+      .value_name("VERTEX");
+  table
+      .add("--punch", o->openings.punch,
+           "first punch a hole, v17:0.5 around vertex 17 with radius 0.5; may be repeated")
+      .value_name("HOLE");
+  table
+      .add("--slice", o->openings.slice,
+           "first slice along shortest paths through vertices, such as 3,17,20; may be repeated")
+      .value_name("LIST");
+  table.add("--open-handles", o->openings.open_handles, "first cut a surface of genus g along g short loops");
+  table.add("--list-loops", o->list_loops, "list the boundary loops, and no more");
+  table.add(
       "--fingerprint", o->fingerprint,
       "numbers that conformal maps leave alone, extrapolated from finer triangulations, with their errors");
-  app.add_option("--distance", o->distance, "and how far another surface is from this one by them")
-      ->type_name("SURFACE");
-  app.add_flag("--unflip", o->unflip, "move vertices near flipped triangles until none is flipped");
-  app.add_flag("--intrinsic", o->intrinsic,
-               "solve on the intrinsic Delaunay triangulation: better where triangles are obtuse");
-  app.add_option("--stage", o->stage,
-                 "write the circular domain before circles are made round, so many slits open")
-      ->check(CLI::NonNegativeNumber);
-  app.add_option("--basis", o->basis,
-                 "write one form of the basis, that of this loop, in place of the domain")
-      ->check(CLI::NonNegativeNumber);
-  app.add_option("--quads", o->quads, "make quads, so many on the way round; written as .obj, .glb or .ply")
-      ->check(CLI::Range(3, 1'000'000));
-  app.add_option(
-         "-o,--output", o->outputs,
-         "the surface with the domain as texture coordinates (.json, .obj, .vtu), the domain (.svg, or .glb "
-         "or .ply as a surface), or a page with both side by side (.html); may be repeated")
-      ->type_name("FILE")
-      ->allow_extra_args(false);
-  app.add_flag("--repair", o->repair,
-               "mend orientation, unused vertices, duplicates, degenerate triangles first");
+  table.add("--distance", o->distance, "and how far another surface is from this one by them")
+      .value_name("SURFACE");
+  table.add("--unflip", o->unflip, "move vertices near flipped triangles until none is flipped");
+  table.add("--intrinsic", o->intrinsic,
+            "solve on the intrinsic Delaunay triangulation: better where triangles are obtuse");
+  table
+      .add("--stage", o->stage, "write the circular domain before circles are made round, so many slits open")
+      .not_negative();
+  table.add("--basis", o->basis, "write one form of the basis, that of this loop, in place of the domain")
+      .not_negative();
+  table.add("--quads", o->quads, "make quads, so many on the way round; written as .obj, .glb or .ply")
+      .in_range(3, 1'000'000);
+  table
+      .add(
+          "-o,--output", o->outputs,
+          "the surface with the domain as texture coordinates (.json, .obj, .vtu), the domain (.svg, or .glb "
+          "or .ply as a surface), or a page with both side by side (.html); may be repeated")
+      .value_name("FILE");
+  table.add("--repair", o->repair,
+            "mend orientation, unused vertices, duplicates, degenerate triangles first");
   return [o](const Context& context) { return run_slit(*o, context); };
 }
 

@@ -9,7 +9,6 @@
 #include "tetrarch/core/signature.hpp"
 #include "tetrarch/scene/page.hpp"
 
-#include <CLI/CLI.hpp>
 #include <memory>
 #include <numbers>
 
@@ -107,12 +106,12 @@ Result run_view(const Options& options, const Context& context) {
 
 } // namespace
 
-Run declare_view(CLI::App& app) {
+Run declare_view(OptionTable& table) {
   const auto o = std::make_shared<Options>();
-  app.add_option("X", o->input, "a triangulation that carries a structure")->required();
-  app.add_option("-o,--output", o->output, "the page to write")->type_name("FILE")->required();
-  app.add_option("--copies", o->copies, "so many copies of the domain to choose from")->capture_default_str();
-  app.add_option("--cusp-area", o->cusp_area, "where cusps are cut off")->capture_default_str();
+  table.add("X", o->input, "a triangulation that carries a structure").required();
+  table.add("-o,--output", o->output, "the page to write").value_name("FILE").required();
+  table.add("--copies", o->copies, "so many copies of the domain to choose from").with_default();
+  table.add("--cusp-area", o->cusp_area, "where cusps are cut off").with_default();
   return [o](const Context& context) { return run_view(*o, context); };
 }
 

@@ -10,16 +10,14 @@
 /// it is reduced by division with remainder, smallest entry first. Machine integers serve until one
 /// overflows, GMP integers from that step on.
 
-#include "tetrarch/algebra/integer_matrix.hpp"
-
-#include <vector>
+#include "tetrarch/algebra/torsion.hpp"
 
 namespace tetrarch::algebra {
 
 /// The invariant factors of a matrix, those that are not 0.
 struct SmithForm {
-  int units = 0;                ///< how many invariant factors are 1
-  std::vector<Integer> factors; ///< the others: all > 1, each divides the next
+  int units = 0;   ///< how many invariant factors are 1
+  Torsion factors; ///< the others: all > 1, each divides the next
   int rank() const { return units + static_cast<int>(factors.size()); }
   friend bool operator==(const SmithForm&, const SmithForm&) = default;
 };

@@ -11,7 +11,6 @@
 #include "tetrarch/core/triangulation.hpp"
 
 #include <array>
-#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -40,8 +39,9 @@ struct Manifold {
   friend bool operator==(const Manifold&, const Manifold&) = default;
 };
 
-/// One entry of a table, without the number of tetrahedra; no "name" member where there is no name.
-nlohmann::ordered_json to_json(const Manifold& m);
+/// One entry of a table, as JSON in one line, without the number of tetrahedra; no "name" member where there
+/// is no name.
+std::string json_text(const Manifold& m);
 
 /// The order of names: by volume, boundary, canonical signature. Volumes that agree to 25 digits are equal.
 void sort_by_volume(std::vector<Manifold>& manifolds);

@@ -7,18 +7,15 @@
 /// and writing. Only the JSON format holds all of it; the others drop what they have no place for.
 
 #include "tetrarch/core/triangulation.hpp"
+#include "tetrarch/format/json_value.hpp"
 
 #include <array>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace tetrarch::format {
-
-/// JSON whose members keep their order.
-using Json = nlohmann::ordered_json;
 
 /// A finite real number as a file spells it: a double, or a decimal text with as many digits as one likes.
 /// In JSON the former is a number and the latter a string, so that no reader can lose its digits unawares.
@@ -62,7 +59,7 @@ struct Metric {
   std::vector<PerEdge<Number>> dihedral_angles;
   std::optional<Number> volume;
   /// The object as it was read, for its unknown members and their order; null if it was not read.
-  Json members;
+  JsonValue members;
 };
 
 /// How tetrahedra make up the cells of a canonical decomposition.
@@ -72,7 +69,7 @@ struct CanonicalCells {
   /// Of each tetrahedron and face, whether it is only drawn, inside of a cell; both sides agree.
   std::vector<std::array<bool, 4>> flat_faces;
   std::string isometry_signature; ///< equal exactly for isometric manifolds; empty: not said
-  Json members;                   ///< as of a Metric
+  JsonValue members;              ///< as of a Metric
 };
 
 /// The projection of a circle bundle's total space to its base surface. Vertices of the triangulation lie
@@ -85,7 +82,7 @@ struct FiberCoordinates {
   std::vector<int> triangle_of;             ///< of each tetrahedron, the base triangle below it
   std::vector<std::array<int, 4>> vertices; ///< of each tetrahedron, the base vertices below its own
   std::vector<std::array<int, 4>> levels;   ///< and the levels of those over the triangle
-  Json members;                             ///< as of a Metric
+  JsonValue members;                        ///< as of a Metric
 };
 
 struct Document {
@@ -94,10 +91,10 @@ struct Document {
   std::optional<Metric> metric;
   std::optional<CanonicalCells> canonical;
   std::optional<FiberCoordinates> bundle;
-  Json provenance; ///< an object that says where all this came from; null: none
+  JsonValue provenance; ///< an object that says where all this came from; null: none
   /// The object as it was read, for its unknown members and their order; null if it was not read. The members
   /// known above are written from above, whatever stands here.
-  Json members;
+  JsonValue members;
   /// What a reader dropped that changes the meaning, as sentences; writers ignore it.
   std::vector<std::string> warnings;
 };

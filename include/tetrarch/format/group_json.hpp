@@ -34,9 +34,9 @@ inline constexpr int group_json_format_version = 1;
 struct GroupDocument {
   int generators = 0;
   std::vector<std::vector<int>> relators;
-  std::string name; ///< UTF-8; empty: none
-  Json provenance;  ///< an object that says where all this came from; null: none
-  Json members;     ///< the object as it was read, for its unknown members and their order; null: not read
+  std::string name;     ///< UTF-8; empty: none
+  JsonValue provenance; ///< an object that says where all this came from; null: none
+  JsonValue members; ///< the object as it was read, for its unknown members and their order; null: not read
 };
 
 /// Throws InputError with the line, the member and the cause for anything that is not as described above,

@@ -60,7 +60,7 @@ struct MeshField {
   On on = On::vertices;
   int components = 1;         ///< of an entry, 1 to 3
   std::vector<double> values; ///< entry after entry; NaN: none
-  Json members;               ///< the object as it was read; null: not read
+  JsonValue members;          ///< the object as it was read; null: not read
 };
 
 struct MeshDocument {
@@ -68,8 +68,8 @@ struct MeshDocument {
   std::vector<std::array<int, 8>> hexahedra;
   std::string name; ///< UTF-8; empty: none
   std::vector<MeshField> fields;
-  Json provenance; ///< an object that says where all this came from; null: none
-  Json members;    ///< the object as it was read, for its unknown members and their order; null: not read
+  JsonValue provenance; ///< an object that says where all this came from; null: none
+  JsonValue members; ///< the object as it was read, for its unknown members and their order; null: not read
 };
 
 /// The points, elements and tags of a soup.

@@ -13,6 +13,7 @@ namespace tetrarch::program {
 namespace {
 
 using Words = std::vector<std::string>;
+using Table = std::vector<Declared>;
 
 /// The words before the one to be completed. Quotes are left alone: nobody completes inside them.
 Words words_before(std::string_view text) {
@@ -31,27 +32,27 @@ Words words_before(std::string_view text) {
   return words;
 }
 
-const Json* command_named(const Json& table, const std::string& name) {
-  for (const Json& command : table["commands"])
-    if (command["name"] == name) return &command;
+const Declared* command_named(const Table& table, const std::string& name) {
+  for (const Declared& declared : table)
+    if (declared.command->name == name) return &declared;
   return nullptr;
 }
 
 /// The longest command that the words begin with.
-const Json* command_of(const Words& words, const Json& table) {
+const Declared* command_of(const Words& words, const Table& table) {
   if (words.empty()) return nullptr;
   if (words.size() > 1)
-    if (const Json* found = command_named(table, words[0] + " " + words[1])) return found;
+    if (const Declared* found = command_named(table, words[0] + " " + words[1])) return found;
   return command_named(table, words[0]);
 }
 
 /// The next words of all commands that begin with these words.
-std::set<std::string> next_words(const Words& words, const Json& table) {
+std::set<std::string> next_words(const Words& words, const Table& table) {
   std::string before;
   for (const std::string& word : words) before += word + " ";
   std::set<std::string> result;
-  for (const Json& command : table["commands"]) {
-    const std::string name = command["name"];
+  for (const Declared& declared : table) {
+    const std::string name = declared.command->name;
     if (!name.starts_with(before)) continue;
     const std::string rest = name.substr(before.size());
     result.insert(rest.substr(0, rest.find(' ')));
@@ -59,19 +60,10 @@ std::set<std::string> next_words(const Words& words, const Json& table) {
   return result;
 }
 
-const Json* option_named(const Json& command, const Json& table, const std::string& name) {
-  for (const Json* list : {&command["options"], &table["common"]})
-    for (const Json& option : *list)
-      for (const Json& spelling : option["names"])
-        if (spelling == name) return &option;
-  return nullptr;
-}
-
-void add_options(std::set<std::string>& words, const Json& command, const Json& table) {
+void add_options(std::set<std::string>& words, const OptionTable& table) {
   words.insert("--help");
-  for (const Json* list : {&command["options"], &table["common"]})
-    for (const Json& option : *list)
-      for (const Json& name : option["names"]) words.insert(name.get<std::string>());
+  for (const Option& option : table.options())
+    if (!option.is_argument()) words.insert(option.names.begin(), option.names.end());
 }
 
 void add_files(std::set<std::string>& words, const std::string& begun) {
@@ -103,32 +95,32 @@ bool has_operand(const Words& words) {
                      [](const std::string& w) { return !w.starts_with('-'); });
 }
 
-std::set<std::string> candidates(const Words& before, const std::string& begun, const Json& table,
+std::set<std::string> candidates(const Words& before, const std::string& begun, const Table& table,
                                  const Values& values) {
   std::set<std::string> words;
   const bool helped = !before.empty() && before.front() == "help";
   if (helped) return next_words({before.begin() + 1, before.end()}, table);
-  const Json* command = command_of(before, table);
-  if (command == nullptr) {
+  const Declared* declared = command_of(before, table);
+  if (declared == nullptr) {
     words = next_words(before, table);
     if (before.empty()) add_names(words, values);
     return words;
   }
   if (begun.starts_with('-')) {
-    add_options(words, *command, table);
+    add_options(words, declared->options);
     return words;
   }
-  const Json* option = option_named(*command, table, before.back());
-  if (option != nullptr && !(*option)["choices"].empty()) {
-    for (const Json& choice : (*option)["choices"]) words.insert(choice.get<std::string>());
+  const Option* option = declared->options.find(before.back());
+  if (option != nullptr && !option->choices.empty()) {
+    words.insert(option->choices.begin(), option->choices.end());
     return words;
   }
-  const bool free = option == nullptr || (*option)["value"].is_null();
-  if (free && (*command)["name"] == "move" && has_operand(before)) {
+  const bool free = option == nullptr || option->is_argument() || option->is_flag();
+  if (free && declared->command->name == std::string_view("move") && has_operand(before)) {
     for (std::string& name : moves::move_names()) words.insert(std::move(name));
     return words;
   }
-  const std::string kind = free ? "" : (*option)["value"].get<std::string>();
+  const std::string kind = free ? "" : option->type();
   const bool mesh = kind == "SURFACE" || kind == "MESH";
   if (free || mesh) add_names(words, values);
   if (free && begun.starts_with("fmp")) add_census_names(words);
@@ -138,7 +130,7 @@ std::set<std::string> candidates(const Words& before, const std::string& begun, 
 
 } // namespace
 
-Completions complete(std::string_view text, const Json& table, const Values& values) {
+Completions complete(std::string_view text, const Table& table, const Values& values) {
   const std::size_t blank = text.find_last_of(" \t=");
   Completions result;
   result.start = blank == std::string_view::npos ? 0 : blank + 1;

@@ -3,7 +3,7 @@
 
 /// What the tabulator key offers.
 
-#include "../command.hpp"
+#include "../describe.hpp"
 
 #include <cstddef>
 #include <string>
@@ -17,10 +17,10 @@ struct Completions {
   std::vector<std::string> words; ///< sorted; each begins with what stands there; folders end with "/"
 };
 
-/// For the text left of the cursor. `table` is what `describe` gives. A command word becomes a verb or a
+/// For the text left of the cursor. `table` is what `declared` gives. A command word becomes a verb or a
 /// value's name; after "-", an option; after an option with a few choices, those; after the value of `move`,
 /// names of moves; else values' names, census names and files.
-Completions complete(std::string_view text, const Json& table, const Values& values);
+Completions complete(std::string_view text, const std::vector<Declared>& table, const Values& values);
 
 /// What all the words begin with.
 std::string common_beginning(const std::vector<std::string>& words);

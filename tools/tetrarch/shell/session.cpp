@@ -11,7 +11,6 @@
 #include "tetrarch/core/error.hpp"
 #include "tetrarch/format/text.hpp"
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <fstream>
 #include <iostream>
@@ -261,44 +260,46 @@ Result Session::undo() {
 
 std::vector<Command> Session::own_verbs() {
   const auto no_options = [](auto act) {
-    return [act](CLI::App&) -> Run { return [act](const Context&) { return act(); }; };
+    return [act](OptionTable&) -> Run { return [act](const Context&) { return act(); }; };
   };
   const auto end = [this] {
     ended_ = true;
     return Result();
   };
   const auto with_names = [](const char* what, bool required, auto act) {
-    return [=](CLI::App& app) -> Run {
+    return [=](OptionTable& table) -> Run {
       const auto names = std::make_shared<std::vector<std::string>>();
-      app.add_option("NAME", *names, what)->required(required);
+      table.add("NAME", *names, what).required(required);
       return [names, act](const Context&) { return act(*names); };
     };
   };
   const auto with_word = [](const char* word, const char* what, auto act) {
-    return [=](CLI::App& app) -> Run {
+    return [=](OptionTable& table) -> Run {
       const auto argument = std::make_shared<std::string>();
-      app.add_option(word, *argument, what)->required();
+      table.add(word, *argument, what).required();
       return [argument, act](const Context&) { return act(*argument); };
     };
   };
+  constexpr const char* session = "Values and session";
   return {
-      {"values", "the values that have names", "values", no_options([this] { return list(); })},
-      {"print", "values so that they can be pasted back in", "print Y",
+      {session, "values", "the values that have names", "values", no_options([this] { return list(); })},
+      {session, "print", "values so that they can be pasted back in", "print Y",
        with_names("which; nothing: all", false,
                   [this](const std::vector<std::string>& names) { return print(names); })},
-      {"log", "the lines and moves that made a value", "log Y",
+      {session, "log", "the lines and moves that made a value", "log Y",
        with_word("NAME", "which", [this](const std::string& name) { return log(name); })},
-      {"undo", "take back the last change of a value", "undo", no_options([this] { return undo(); })},
-      {"forget", "take names away from their values", "forget Y",
+      {session, "undo", "take back the last change of a value", "undo",
+       no_options([this] { return undo(); })},
+      {session, "forget", "take names away from their values", "forget Y",
        with_names("whose", true, [this](const std::vector<std::string>& names) { return forget(names); })},
-      {"run", "run the lines of a file", "run moves.txt",
+      {session, "run", "run the lines of a file", "run moves.txt",
        with_word("FILE", "one line a command; # begins a comment",
                  [this](const std::string& path) {
                    Result result;
                    result.status = run_file(path);
                    return result;
                  })},
-      {"quit", "end the session; so does Ctrl-D", "quit", no_options(end)},
+      {session, "quit", "end the session; so does Ctrl-D", "quit", no_options(end)},
   };
 }
 

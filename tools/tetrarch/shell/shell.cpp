@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "../command.hpp"
+#include "../describe.hpp"
 #include "line_editor.hpp"
 #include "session.hpp"
 
 #include "tetrarch/core/error.hpp"
 
-#include <CLI/CLI.hpp>
 #include <cstdlib>
 #include <filesystem>
 #include <iostream>
@@ -33,7 +33,7 @@ std::string history_file() {
 Status converse(Session& session) {
   std::cout << "Tetrarch " TETRARCH_VERSION
                ". 'help' lists the verbs, 'help VERB' explains one, 'quit' ends.\n";
-  const Json table = described(session.verbs());
+  const std::vector<Declared> table = declared(session.verbs());
   const auto completer = [&](std::string_view text) { return complete(text, table, session.values()); };
   LineEditor editor(prompt, history_file(), completer);
   while (!session.ended()) {
@@ -51,9 +51,9 @@ Status converse(Session& session) {
 
 } // namespace
 
-Run declare_shell(CLI::App& app) {
+Run declare_shell(OptionTable& table) {
   const auto file = std::make_shared<std::string>();
-  app.add_option("FILE", *file, "a script, one line a command, - for standard input; nothing: type");
+  table.add("FILE", *file, "a script, one line a command, - for standard input; nothing: type");
   return [file](const Context& context) {
     be_patient();
     Session session(context);
