@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
-/// Every way to glue n tetrahedra together, each once.
+/// Every gluing of n tetrahedra, each once.
 ///
 /// Lay n tetrahedra on the table and glue all 4n faces in pairs until nothing is left open and everything
 /// hangs together. Two results that differ by renaming tetrahedra and their vertices (turning a tetrahedron
@@ -35,8 +35,8 @@ struct LinkSet {
 };
 
 /// Reads a comma-separated list as it is typed after `--links`: a number g is the orientable surface of genus
-/// g, `nk` (or `Nk`) the sphere with k crosscaps. "2,3" allows genus 2 and 3 and nothing else; "0" allows
-/// spheres, so that all vertices are finite. Throws InputError that names the item which is none.
+/// g, `nk` (or `Nk`) the sphere with k crosscaps. "2,3" allows only genus 2 and genus 3; "0" allows spheres,
+/// so that all vertices are finite. Throws InputError with the first item that is none of these.
 LinkSet parse_link_set(std::string_view text);
 
 struct GluingOptions {
@@ -65,7 +65,7 @@ void enumerate_gluings(const GluingOptions& options, const std::function<void(co
 /// The isomorphism signatures of the same gluings, in ASCII order.
 std::vector<std::string> gluing_signatures(const GluingOptions& options, const Progress& progress = {});
 
-/// How many there are. Builds none of them, so it is the quickest of the three.
+/// The number of these gluings. It builds none and is the quickest of the three functions.
 std::int64_t count_gluings(const GluingOptions& options, const Progress& progress = {});
 
 } // namespace tetrarch::census

@@ -5,7 +5,7 @@
 ///
 /// First greedily: a worklist of tetrahedra, from which moves that remove tetrahedra are made wherever they
 /// are legal (3-2, 2-0, 2-1, vertex merges with the edge of largest valence first, shelling, closing of
-/// books), and only the neighbourhood of a move is looked at again. Large edges first is what matters: a
+/// books), and only the neighborhood of a move is looked at again. Large edges first is what matters: a
 /// merge removes as many tetrahedra as meet at its edge, and edges of small valence leave through 3-2 and 2-0
 /// moves instead; merging in any order was forty times slower on a ball of three million tetrahedra, because
 /// a few edges then grow without bound. Then by chance: random 2-3 and 4-4 moves, greed again, and the result

@@ -23,7 +23,7 @@ using Matrix4 = embed::Matrix4<double>;
 struct Patch {
   enum class Kind : std::uint8_t { face, boundary, cusp };
   Kind kind = Kind::face;
-  std::vector<Vector4> corners; ///< counter-clockwise from outside
+  std::vector<Vector4> corners; ///< counterclockwise from outside
   /// Per side, from corner k to corner k+1: the horosphere in which it is a horocycle, or 0 for a geodesic.
   std::vector<Vector4> cusps;
   Vector4 normal{}; ///< outward, of the plane; of a cusp's patch the horosphere's vector

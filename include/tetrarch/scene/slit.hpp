@@ -11,7 +11,7 @@
 ///      '-----------------'              '-------'
 ///
 /// A vertex on the seam of the rectangle has two places there, one of them a little outside of the square
-/// perhaps, as triangles lie whole; pictures that repeat show nothing of it. Every loop has its colour.
+/// perhaps, as triangles lie whole; pictures that repeat show nothing of it. Every loop has its color.
 /// Everything here is O(n).
 
 #include "tetrarch/scene/drawing.hpp"
@@ -61,7 +61,7 @@ Scene textured_surface(const mesh::TriangleMesh& mesh, const Layout& layout, con
 /// their order and no others, so that texture coordinates alone are doubled on the seam.
 std::string textured_obj(const mesh::TriangleMesh& mesh, const Layout& layout);
 
-/// The triangulation thin, loops thick and coloured.
+/// The triangulation thin, loops thick and colored.
 Drawing slit_drawing(const mesh::TriangleMesh& mesh, const Layout& layout);
 
 } // namespace tetrarch::scene
