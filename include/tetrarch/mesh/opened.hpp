@@ -3,9 +3,9 @@
 
 /// A mesh while it is opened (holes punched, paths slit, handles cut), with the original names of its parts.
 ///
-///      17         17          Each bank of a cut has a vertex of its own, and users call both vertex 17. The
-///    ---.---    .---.         rest of the mesh keeps its order, and the second copies follow. So a writer can
-///       |   =>  |   |         name the origin of every vertex and triangle.
+///      17         17          Each bank of a cut has a vertex of its own, and users call both vertex 17.
+///    ---.---    .---.         The rest of the mesh keeps its order, and the second copies follow. So a
+///       |   =>  |   |         writer can name the origin of every vertex and triangle.
 ///
 /// Punching (mesh/punch.hpp), slicing (mesh/slice.hpp) and opening handles (mesh/open_handles.hpp) each take
 /// such a mesh and return one, in any order.
