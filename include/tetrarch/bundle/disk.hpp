@@ -26,7 +26,7 @@ public:
   /// From gluings: the mate of each side, none on the boundary. Vertices are numbered by first corner. Throws
   /// `PreconditionError` if mates are not mutual, `InputError` unless this is a disk. O(n).
   explicit Disk(const Table<Side, Side>& mate);
-  /// The same of a surface: throws `InputError` unless it is a disk without turned mates. O(n).
+  /// The same from a surface: throws `InputError` unless it is a disk without turned mates. O(n).
   explicit Disk(Surface surface);
 
   /// O(1).

@@ -21,15 +21,16 @@ namespace tetrarch::bundle {
 /// `PreconditionError` if a part of the cut surface is not orientable. O(n).
 void orient_parts(mesh::MarkedSurface& cut);
 
-/// Puts a vertex into each part of the cut surface that has none inside; returns how many. O(n).
+/// Puts a vertex into each part of the cut surface that has no interior vertex; returns the number of new
+/// vertices. O(n).
 int give_inner_vertices(mesh::MarkedSurface& cut);
 
 /// One side of each cut edge, the one of positive mark, by curve and then by number. O(n log n).
 std::vector<Side> cut_edges(const mesh::MarkedSurface& cut);
 
-/// The twist of each side, mates alike: |total| cut edges get -1 or +1 such that the bundle of `total` = e *
-/// N turns by that much; those of higher marks first. Throws `PreconditionError` if there are not so many.
-/// O(n).
+/// The twist of each side, mates alike: |total| cut edges get -1 or +1 such that the whole bundle turns by
+/// `total` = e * N; edges of higher marks come first. Throws `PreconditionError` if there are too few cut
+/// edges. O(n).
 std::vector<int> spread_twist(const mesh::MarkedSurface& cut, int total);
 
 /// Splits cut edges until there are at least `edges`, in rounds that halve every edge; the curves of higher

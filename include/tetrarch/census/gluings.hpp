@@ -47,12 +47,12 @@ struct GluingOptions {
   bool ideal = false;           ///< at least one vertex link is no sphere
   std::optional<LinkSet> links; ///< every vertex link is one of these
   int min_valence = 1;          ///< every edge class has at least this many t-edges
-  bool allow_invalid = false;   ///< edges identified with themselves backwards are let pass
+  bool allow_invalid = false;   ///< allow edges that are identified with themselves backwards
   int threads = 1;
 };
 
-/// More tetrahedra than this are refused; long before, the number of gluings (some 4e7 orientable ones of
-/// six) is the limit.
+/// The greatest number of tetrahedra. In practice the number of gluings is the limit (about 4e7 orientable
+/// ones of six tetrahedra).
 inline constexpr int max_gluing_tetrahedra = 12;
 
 /// Calls `visit` in the calling thread with each connected closed gluing, once up to isomorphism.

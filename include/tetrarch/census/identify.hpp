@@ -40,9 +40,9 @@ struct Identification {
   std::optional<Manifold> manifold; ///< the table's entry, where the name is a table's
   std::string isometry_signature;   ///< empty without a structure
   std::optional<double> volume;     ///< nothing without a structure
-  /// The cells that name the manifold rest on 60-digit numbers that were not proved to be zero.
+  /// The cells that name the manifold rest on 60-digit numbers that are zero without proof.
   bool confirmed_only = false;
-  /// That carries the structure; without one, the simplified input.
+  /// The triangulation that carries the structure; without a structure, the simplified input.
   Triangulation triangulation;
   /// A sentence for each step and its result.
   std::vector<std::string> tried;
@@ -53,11 +53,11 @@ struct Identification {
 /// "isometry signature", "triangulation", "group"; "nothing".
 std::string to_string(Identification::By by);
 
-/// Where there are other boundary components, boundary spheres count as filled in with balls if a hyperbolic
-/// structure decides (`tried` says so); `recognise` takes the triangulation as it is.
-/// Throws PreconditionError for an empty or invalid triangulation and for one that is not connected.
-/// Near-linear: 3 to 9 microseconds per tetrahedron, measured up to 770,000; 0.1 to 0.2 s more where there is
-/// no structure. Deterministic for `options.seed`. May be called from several threads.
+/// If there are other boundary components and a hyperbolic structure decides, boundary spheres count as
+/// filled in with balls (`tried` says so). `recognise` takes the triangulation as it is. Throws
+/// PreconditionError for an empty or invalid triangulation and for one that is not connected. Near-linear: 3
+/// to 9 microseconds per tetrahedron, measured up to 770,000; 0.1 to 0.2 s more where there is no structure.
+/// Deterministic for `options.seed`. May be called from several threads.
 [[nodiscard]] Identification identify(const Triangulation& tri, const IdentifyOptions& options = {},
                                       const Progress& progress = {});
 

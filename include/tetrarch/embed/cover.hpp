@@ -4,11 +4,11 @@
 /// Finite pieces of the universal cover: many copies of a domain, each once ("multiple periods").
 ///
 /// Copies are isometries, found breadth first from the identity: the neighbors of a copy g are g P for the
-/// pairings P. Two words may lead to the same copy. Isometries are looked up by where they take the base
-/// point and from where they take it back, both seen from the base point (directions, so that rounding stays
-/// relative however far the copy is), in cells with a probe of the neighbors; equal are two whose matrices
-/// differ by less than 1e-6 relatively. Distinct copies differ by much more; `closest` gives the least
-/// difference. Source: Yin, section 4.4.4.
+/// pairings P. Two words may lead to the same copy. A hash of cells holds the isometries, by the images of
+/// the base point under the isometry and its inverse, both seen from the base point (as directions, so that
+/// rounding stays relative however far the copy is); a look-up probes neighboring cells too. Two isometries
+/// are equal if their matrices differ by less than 1e-6 relatively. Distinct copies differ by much more;
+/// `closest` gives the least difference. Source: Yin, section 4.4.4.
 
 #include "tetrarch/core/progress.hpp"
 #include "tetrarch/embed/domain.hpp"
@@ -43,8 +43,8 @@ struct Piece {
 /// Memory for making a piece of this many copies, in bytes.
 std::int64_t piece_bytes(std::int64_t copies);
 
-/// Throws PreconditionError without a bound or with a negative one. About 2 microseconds a copy. A radius is
-/// reached through faces that come within it, so that nothing within it is missed.
+/// Throws PreconditionError without a bound or with a negative one. About 2 microseconds a copy. The walk to
+/// a radius crosses every face that comes within it, so it misses no copy.
 Piece universal_cover(const Domain<double>& domain, const PieceBounds& bounds, const Progress& progress = {});
 
 /// The same for any discrete group of isometries without fixed points in hyperbolic space, by generators: the

@@ -3,8 +3,8 @@
 
 /// A fundamental domain of a hyperbolic manifold in hyperbolic space (a "single period"), and the holonomy.
 ///
-/// Put tetrahedron 0 down, then walk over the gluing, breadth first, and put every other one
-/// against the face through which it was reached. The union is a ball. A face inside it has a tetrahedron on
+/// Put tetrahedron 0 down, then walk over the gluing, breadth first, and put every other tetrahedron against
+/// the face through which the walk reached it. The union is a ball. A face inside it has a tetrahedron on
 /// either side; an *open* face looks at another copy of the whole domain, which the *pairing* of the face
 /// carries the domain onto. Open faces that meet in an edge of the domain and look at the same copy make up
 /// one *gluable face* (all their pairings are the same isometry):
@@ -59,8 +59,8 @@ struct Domain {
 };
 
 struct DomainOptions {
-  /// The area at which every cusp is cut off: of the horosphere's quotient. Smaller where horospheres would
-  /// come close to each other or to the geodesic boundary. It changes no pairing.
+  /// The area of the cross-section that cuts a cusp off. It is smaller where horospheres would come close to
+  /// each other or to the geodesic boundary. It changes no pairing.
   double cusp_area = 0.5;
 };
 

@@ -22,7 +22,7 @@
 namespace tetrarch::moves {
 
 struct TruncateOptions {
-  /// Leave a vertex for each boundary sphere, to be truncated too.
+  /// Leave a vertex for each boundary sphere, and truncate it too.
   bool keep_spheres = false;
   SimplifyOptions simplify;
 };

@@ -22,16 +22,16 @@
 
 namespace tetrarch::product {
 
-/// Ready to be solved for.
+/// A solid that is prepared for the field.
 struct Prepared {
   Solid solid;
   Partition partition;
   int splits = 0;
 };
 
-/// Splits, in the middle, all edges between two vertices of the same base that are not on this base: where
-/// all vertices of a tetrahedron are on one base, no field could rise. Old vertices keep their numbers.
-/// O(n log n).
+/// Splits, in the middle, all edges that join two vertices of the same base but are not on this base. Without
+/// this, a tetrahedron with all vertices on one base would leave the field no room to rise. Old vertices keep
+/// their numbers. O(n log n).
 Prepared prepared(Solid solid, Partition partition);
 
 /// The height that keeps the floor's aspect ratio: h d' / d for walls of mean height h, and a floor whose rim

@@ -10,7 +10,7 @@
 ///      |     |     |     where hexahedra are bad, it is the sum of what is lacking around a point that
 ///      '-----'-----'     is to become less, and none may become worse than the worst of all.
 ///
-/// So the least scaled Jacobian of the mesh never falls, and what is not tangled stays so.
+/// So the least scaled Jacobian of the mesh never falls, and a mesh without inverted hexahedra keeps none.
 ///
 /// Source: Freitag and Plassmann, "Local optimization-based simplicial mesh untangling and improvement"
 /// (2000), for tetrahedra.

@@ -11,8 +11,8 @@
 /// | vtu    | triangles with cell data                | polylines with data | cells with data    | -      |
 ///
 /// Where there are data, every triangle, polyline or cell also has `element`, the number of its element: the
-/// surfaces are counted from 0, then the tubes, then the cells. A value that an element does not have is -1.
-/// Fields go where data go; of one that an element does not have the value is NaN.
+/// surfaces are counted from 0, then the tubes, then the cells. A missing value is -1. Fields go where data
+/// go; the value of a missing field is NaN.
 ///
 ///   ply  Where only some surfaces have normals, the others get the mean of their triangles'. Coordinates in
 ///        double precision, colors on the faces.

@@ -40,10 +40,10 @@ struct Page {
 };
 
 /// Of each scene the first surface is shown, which must have texture coordinates, and the tubes as lines of
-/// the colors of their polylines; those with data `loop` are told apart by it, others by their number, but
-/// those with data `fiber` not at all. A domain all of whose points have the same z is looked at from above.
-/// Where a surface has a field at points, the first can be shown with level lines; where it has data `patch`,
-/// each patch in the color of its first triangle, as floor, ceiling, wall 0, ...
+/// the colors of their polylines; data `loop` distinguishes them, or else their number; those with data
+/// `fiber` are not distinguished. A domain all of whose points have the same z is looked at from above. Where
+/// a surface has a field at points, the first can be shown with level lines; where it has data `patch`, each
+/// patch in the color of its first triangle, as floor, ceiling, wall 0, ...
 struct TexturePage {
   std::string title;
   std::vector<InfoTable> tables;
@@ -59,9 +59,10 @@ struct TexturePage {
 /// ball alike.
 std::string page_data(const Page& page);
 
-/// Likewise: version 1 of "tetrarch texture". Each scene is moved and scaled into the unit ball, and has the
-/// triangles, texture coordinates, field and patches only where they differ from the surface's. O(size).
-/// Throws PreconditionError for scenes that break their rules (scene.hpp), or have no surface with textures.
+/// The same for texture pages: version 1 of "tetrarch texture". Each scene is moved and scaled into the unit
+/// ball, and has the triangles, texture coordinates, field and patches only where they differ from the
+/// surface's. O(size). Throws PreconditionError for scenes that break their rules (scene.hpp), or have no
+/// surface with textures.
 std::string page_data(const TexturePage& page);
 
 /// The page, or nothing if the viewer is missing: see `viewer_missing_reason`.

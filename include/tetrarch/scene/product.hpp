@@ -9,8 +9,8 @@
 ///     |  '-'  |  |           /--------/ |          the patches, floor, ceiling, walls; field w at points.
 ///      \_____/|_/            |________|/
 ///
-/// `uvw` is of each vertex of the solid, all finite, everywhere here; other lengths throw PreconditionError.
-/// Everything is O(n), but for `outer_edges`: O(n log n).
+/// `uvw` has a finite entry for each vertex of the solid in every function here; other lengths throw
+/// PreconditionError. Everything is O(n), but for `outer_edges`: O(n log n).
 
 #include "tetrarch/product/partition.hpp"
 #include "tetrarch/scene/scene.hpp"

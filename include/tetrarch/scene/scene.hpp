@@ -10,10 +10,10 @@
 ///
 /// Every front end describes its content in these terms, and every writer (files.hpp) understands all of
 /// them. So a new front end needs no new writer, and a new file format needs no new front end. Coordinates
-/// are Euclidean and right-handed, z upwards, without a unit; things of hyperbolic space are put into a model
-/// first (hyperbolic.hpp). Indices count from 0 within their own element and are the describer's
-/// responsibility: writers throw PreconditionError for one out of range, lists of lengths that do not fit,
-/// numbers that are not finite, and normals that are no unit vectors (to a thousandth).
+/// are Euclidean and right-handed, z upwards, without a unit; a model comes first for hyperbolic space
+/// (in_model.hpp). Indices count from 0 within their own element. Writers throw PreconditionError for an
+/// index out of range, lists of lengths that do not fit, numbers that are not finite, and normals that are
+/// not unit vectors (to a thousandth).
 
 #include <array>
 #include <cstdint>
@@ -24,7 +24,7 @@ namespace tetrarch::scene {
 
 using Point = std::array<double, 3>;
 
-/// As screens and painting programs count (sRGB).
+/// In sRGB, as screens and painting programs count.
 struct Color {
   std::uint8_t red = 200;
   std::uint8_t green = 200;
@@ -43,7 +43,8 @@ struct Data {
 
 /// A real number on every triangle or cell, or at every point: an error, a potential, an angle.
 struct Field {
-  /// Like those of data, and none of theirs; at points not x, y, z, nx, ny, nz, radius, texture either.
+  /// As for data, and different from the names of data; at points also not x, y, z, nx, ny, nz, radius,
+  /// texture.
   std::string name;
   std::vector<double> values; ///< finite
 };
