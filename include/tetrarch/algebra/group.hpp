@@ -8,10 +8,10 @@
 ///
 /// The presentation of pi_1 is read off the dual 2-skeleton. Stand in tetrahedron 0; a spanning tree of the
 /// dual graph leads to every other one. An interior face outside the tree is a generator: walk to its first
-/// side along the tree, step through it to its second side, and walk home. An interior edge is a relator:
-/// go once round it, turning left, and write down the faces crossed. Ideal vertices are thought truncated.
-/// Source: Seifert and Threlfall, "Lehrbuch der Topologie" (1934), section 46, for the presentation;
-/// Havas, Kenne, Richardson and Robertson, "A Tietze transformation program" (1984), for the simplification.
+/// side along the tree, step through it to its second side, and walk home. An interior edge is a relator: go
+/// once round it, turning left, and write down the faces crossed. Ideal vertices are truncated. Source:
+/// Seifert and Threlfall, "Lehrbuch der Topologie" (1934), section 46, for the presentation; Havas, Kenne,
+/// Richardson and Robertson, "A Tietze transformation program" (1984), for the simplification.
 
 #include "tetrarch/algebra/abelian_group.hpp"
 #include "tetrarch/core/progress.hpp"

@@ -4,8 +4,8 @@
 /// Sparse matrices of integers of any size.
 ///
 /// Entries are collected row by row; entries given twice for the same place add up, so a boundary map can be
-/// written down one incidence at a time. There is no arithmetic here: the matrix is what Smith's normal form
-/// eats.
+/// written down one incidence at a time. There is no arithmetic here: the matrix is the input of Smith's
+/// normal form.
 
 #include <boost/multiprecision/gmp.hpp>
 

@@ -10,9 +10,9 @@
 /// | moderate   | not safe, but +1 and -1 both occur: always linear                                   |
 /// | extreme    | not safe, and all values that are given equal one a, the *forbidding value*         |
 ///
-/// Giving more values never makes a piece more dangerous. Where no value is given the text leaves the
-/// forbidding value undefined; here it is 0, and such a piece needs both values from its neighbours.
-/// Source: Yin, Definitions 5.2.1 and 5.3.1.
+/// More values never make a piece more dangerous. The dissertation leaves the forbidding value undefined for
+/// a piece without values; here it is 0, and such a piece needs both values from its neighbors. Source: Yin,
+/// Definitions 5.2.1 and 5.3.1.
 
 #include "tetrarch/bundle/cutting_pattern.hpp"
 #include "tetrarch/bundle/partition.hpp"

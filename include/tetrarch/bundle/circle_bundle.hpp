@@ -4,7 +4,7 @@
 /// A circle bundle over a triangulated surface, as a triangulation.
 ///
 ///      T2 ----- T1      Over each triangle of the surface stands a ring of N prisms, N being the
-///       | \   / |       *resolution* of the fibres. A prism is cut into three tetrahedra as its cutting
+///       | \   / |       *resolution* of the fibers. A prism is cut into three tetrahedra as its cutting
 ///       |  T0   |       pattern says: order its corners r0, r1, r2 so that the diagonals run from the
 ///       |   |   |       bottom of the earlier to the top of the later corner; then, from below,
 ///      B2 --|-- B1      B0 B1 B2 T2, B0 B1 T1 T2, B0 T0 T1 T2.
@@ -18,7 +18,7 @@
 ///        mates opposite   t = 0: values +1,-1 or -1,+1    t = +1: -1,-1    t = -1: +1,+1
 ///        mates turned     t = 0: the same                 t = +1: +1,+1    t = -1: -1,-1
 ///
-/// If the shifts cancel around every vertex (mod N), each fibre is a circle of N edges, and the bundle has
+/// If the shifts cancel around every vertex (mod N), each fiber is a circle of N edges, and the bundle has
 /// Euler number e = sum of t over turned edges minus sum of t over the others, divided by N. The unit tangent
 /// bundle is the one with e = chi; by it the total space is oriented. With boundary there is no Euler number.
 /// Source: Yin, Definitions 6.2.1 to 6.3.1 and 7.2.1 to 7.3.1, which are special cases.
@@ -33,7 +33,7 @@
 
 namespace tetrarch::bundle {
 
-/// How the fibres over the two banks of an edge are glued: the shifts at the start and the end of a side.
+/// How the fibers over the two banks of an edge are glued: the shifts at the start and the end of a side.
 struct Shift {
   int start = 0;
   int stop = 0;
@@ -42,10 +42,10 @@ struct Shift {
   friend bool operator==(Shift, Shift) = default;
 };
 
-/// What the mate of a side has if the side has `shift`: the inverse.
+/// The shift of the mate of a side with this shift: the inverse.
 Shift inverse(Shift shift, bool turned);
 
-/// All that a bundle is made from.
+/// The data from which a bundle is made.
 struct Recipe {
   mesh::Surface base;
   int fiber = 1;                  ///< N >= 1, the resolution
@@ -70,11 +70,11 @@ struct CircleBundle {
   int level(TetVertex v) const;
 };
 
-/// Glues the prisms. Throws `PreconditionError` where a triangle has three equal values or values and shifts
-/// do not fit. Nothing is asked about the vertices: see proof.hpp. O(tetrahedra).
+/// Glues the prisms. Throws `PreconditionError` if a triangle has three equal values, or if values and shifts
+/// do not fit. Vertices are not checked here: see proof.hpp. O(tetrahedra).
 CircleBundle assemble(Recipe recipe, const Progress& progress = {});
 
-/// Bytes that assembling, proving and describing so many tetrahedra takes at the peak, as measured.
+/// Peak memory in bytes for assembling, proving and describing this many tetrahedra, as measured.
 inline double bundle_bytes(double tetrahedra) {
   return 290 * tetrahedra;
 }

@@ -8,12 +8,12 @@
 ///        edges are given values (Procedure 5.2.1), strips are solved whole and aggregated pieces in their
 ///        frontier. Always succeeds.
 ///   II   general (5.3): any values on the boundary. Dangerous pieces of the first partition are relieved by
-///        their neighbours (Procedure 5.3.1) and solved (Procedure 5.3.2), or there is an obstruction; the
+///        their neighbors (Procedure 5.3.1) and solved (Procedure 5.3.2), or there is an obstruction; the
 ///        rest is Algorithm I.
 ///   III  free (5.4): boundary values are chosen (Procedure 5.4.1), then Algorithm I.
 ///
-/// All are linear: see partition.hpp. Arbitrary choices fall on +1, so results are reproducible.
-/// Source: Yin, sections 5.2 to 5.4; where the text needed mending, the code says so.
+/// All are linear: see partition.hpp. Arbitrary choices fall on +1, so results are reproducible. Source: Yin,
+/// sections 5.2 to 5.4; the code says where it departs from the text.
 
 #include "tetrarch/bundle/assignment.hpp"
 
@@ -22,7 +22,7 @@
 
 namespace tetrarch::bundle {
 
-/// A look into a round, between its steps.
+/// A view of a round between its steps.
 struct Round {
   enum class Stage {
     begun,     ///< the mesh is partitioned, but no breaking edge has a value (in step 2a)
@@ -39,9 +39,9 @@ struct Round {
 /// Called three times a round. It may throw, which ends the job.
 using Watch = std::function<void(const Round&)>;
 
-/// Which of the invariants of Definition 5.2.2 (completeness, consistency, safeness) is broken at this point,
-/// for audits; empty if none is. In a dangerous round "safe" weakens to "not extremely dangerous" once
-/// breaking edges have values, and nothing is asked before. O(frontier).
+/// The broken invariant of Definition 5.2.2 (completeness, consistency, safeness) at this point, for audits;
+/// empty if all hold. In a dangerous round "safe" weakens to "not extremely dangerous" once breaking edges
+/// have values, and nothing is asked before. O(frontier).
 std::string broken_invariant(const Round& round);
 
 /// Algorithm I. Throws `PreconditionError` if the boundary is not restricted, and as `with_boundary`. O(n).

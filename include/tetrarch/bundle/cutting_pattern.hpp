@@ -30,7 +30,7 @@ public:
 
   int operator[](Side s) const { return value_[s]; }
   bool is_open(Side s) const { return value_[s] == 0; }
-  /// Gives side s this value, +1 or -1, and its mate, where there is one, the opposite.
+  /// Gives side s this value, +1 or -1, and gives its mate, if there is one, the opposite value.
   void set(const Disk& disk, Side s, int value) {
     value_[s] = static_cast<std::int8_t>(value);
     if (!disk.is_boundary(s)) value_[disk.mate(s)] = static_cast<std::int8_t>(-value);
@@ -44,15 +44,15 @@ private:
 /// One value, +1 or -1, for each side of `disk.boundary()`, in that order.
 using BoundaryValues = std::vector<int>;
 
-/// The pattern with these values on the boundary, open elsewhere. Throws `PreconditionError` where their
-/// number is wrong or one is neither +1 nor -1. O(n).
+/// The pattern with these values on the boundary, open elsewhere. Throws `PreconditionError` if their number
+/// is wrong or one is neither +1 nor -1. O(n).
 CuttingPattern with_boundary(const Disk& disk, const BoundaryValues& boundary);
 
-/// What of a pattern lies on the boundary. O(boundary).
+/// The values of a pattern on the boundary. O(boundary).
 BoundaryValues boundary_of(const Disk& disk, const CuttingPattern& pattern);
 
-/// Why this is no cutting pattern, a sentence: a side is open, mates agree, or a triangle has three equal
-/// values. Empty if it is one. O(n).
+/// A sentence that says why this is no cutting pattern: a side is open, mates agree, or a triangle has three
+/// equal values. Empty for a cutting pattern. O(n).
 std::string why_not_valid(const Disk& disk, const CuttingPattern& pattern);
 
 /// Why boundary values cannot be extended to the disk: a sub-mesh on which every value given is the

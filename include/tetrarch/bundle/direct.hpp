@@ -10,7 +10,7 @@
 /// *core* of triangles that are safe so: a dual cycle (among the triangles around an interior vertex)
 /// oriented cyclically; or, where there is no interior vertex, so that the dual graph is a tree, a dual path
 /// from a triangle with a boundary value -1 to one with +1, oriented along the way. All other triangles,
-/// farthest from the core first, give the edge towards the core the opposite of another value. There is no
+/// farthest from the core first, give the edge toward the core the opposite of another value. There is no
 /// core where the dual graph is a tree and all boundary values equal some a, and then there is no pattern: n
 /// triangles would need n sides of value -a, and the n-1 interior edges have only one each.
 

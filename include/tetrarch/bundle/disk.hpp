@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
-/// A triangulated disk: a surface proved to be one, with its boundary in order.
+/// A triangulated disk: a surface that is proved to be a disk, with its boundary in order.
 ///
 /// Its mates run in opposite directions, and its boundary runs along its sides, so that the disk lies to the
 /// left. Coarse covering disks have triangles glued to themselves and edges that are loops.
@@ -26,7 +26,7 @@ public:
   /// From gluings: the mate of each side, none on the boundary. Vertices are numbered by first corner. Throws
   /// `PreconditionError` if mates are not mutual, `InputError` unless this is a disk. O(n).
   explicit Disk(const Table<Side, Side>& mate);
-  /// The same of a surface: throws `InputError` unless it is a disk without turned mates. O(n).
+  /// The same from a surface: throws `InputError` unless it is a disk without turned mates. O(n).
   explicit Disk(Surface surface);
 
   /// O(1).

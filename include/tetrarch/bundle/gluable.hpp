@@ -11,8 +11,8 @@
 ///
 /// The gluing map takes (a, i, j) to (a^-1, M - i, j + c(i)), or to (a', i, -j + c(i)) where the banks run
 /// together. On a sphere, where the curve is closed and every value +1, c(i) = N/2 - i if one counts from the
-/// right vertex; on the curves of a surface of higher genus that are twisted, c(i) = i. Fibre paths go to
-/// fibre paths; base paths to diagonal paths and back where the curve is twisted, else to base paths. Source:
+/// right vertex; on the curves of a surface of higher genus that are twisted, c(i) = i. Fiber paths go to
+/// fiber paths; base paths to diagonal paths and back where the curve is twisted, else to base paths. Source:
 /// Yin, 6.2 to 6.4 and 7.2 to 7.4.
 
 #include "tetrarch/bundle/circle_bundle.hpp"
@@ -36,7 +36,7 @@ struct Band {
 /// `PreconditionError` if they do not. O(n).
 std::vector<std::array<Band, 2>> bands(const mesh::MarkedSurface& cut);
 
-/// The number of turns by N steps that a curve's fibres make from its beginning to its end, times N.
+/// The steps by which the fibers of a curve turn from its beginning to its end: N for each whole turn.
 int twist_along(const Band& band, const Recipe& recipe);
 
 /// The vertex (c, i, j) of the band over bank c.
@@ -54,7 +54,7 @@ std::vector<std::array<GridVertex, 3>> band_triangles(const Band& band, const Re
 GridVertex gluing_map(const Band& band, const Recipe& recipe, GridVertex v);
 
 /// The audit of 6.4 and 7.4: whether the gluing map is a bijection of the vertices, edges and triangles of
-/// the two bands, taking fibre edges to fibre edges and turning every triangle over, and takes the ring of
+/// the two bands, taking fiber edges to fiber edges and turning every triangle over, and takes the ring of
 /// triangles around every vertex inside the band to the ring around its image, in reverse order; so it is
 /// continuous with its inverse. Where banks run together it keeps triangles as they are seen. A sentence;
 /// empty if all is well. O(M N log(M N)).

@@ -87,7 +87,7 @@ class Partition {
 public:
   explicit Partition(const Disk& disk);
 
-  /// Forgets what was and cuts the frontier of `mesh`, which belongs to the same disk. O(frontier).
+  /// Discards the old cut and cuts the frontier of `mesh`, which belongs to the same disk. O(frontier).
   void update(const UnsolvedMesh& mesh);
 
   const std::vector<Piece>& pieces() const { return pieces_; }

@@ -11,8 +11,8 @@
 /// | everything else | a short cut graph                     | abs(e) N edges of it            |
 ///
 /// The text has equators and twisted loops of exactly abs(e) N and N edges. Shorter ones are split; of longer
-/// ones the rest is not twisted. Canonical loops serve for every Euler number: other than chi it is spread
-/// over the last loops.
+/// ones the rest is not twisted. Canonical loops serve for every Euler number; a number other than chi is
+/// spread over the last loops.
 
 #include "tetrarch/bundle/circle_bundle.hpp"
 #include "tetrarch/mesh/marked_surface.hpp"
@@ -43,9 +43,9 @@ struct Plan {
   int splits() const { return static_cast<int>(cut.splits.size()); }
 };
 
-/// The recipe, or why the values on the boundary allow none. The surface must be connected; marks on it are
-/// lost. Throws `PreconditionError` if it is not, if the resolution is less than 1, or if an Euler number or
-/// boundary values are given to a surface that has none. Near-linear, times the genus.
+/// The recipe, or the reason why the boundary values allow none. The surface loses its marks. Throws
+/// `PreconditionError` if it is not connected, if the resolution is less than 1, or if the surface can have
+/// no Euler number or no boundary values but gets some. Near-linear, times the genus.
 [[nodiscard]] std::variant<Plan, Obstruction> plan(mesh::MarkedSurface surface, const PlanOptions& options);
 
 } // namespace tetrarch::bundle

@@ -3,13 +3,13 @@
 
 /// Sections of a circle bundle over the edges of the surface, and where they break.
 ///
-/// Choose a point on each fibre over a vertex. Over each edge stands an annulus, in which the section goes
+/// Choose a point on each fiber over a vertex. Over each edge stands an annulus, in which the section goes
 /// from one to the other, the shorter way or with some whole turns more. Around a triangle it then closes up
 /// after turning round the ring some whole number of times: the index of the triangle. Where that is not 0,
 /// no section over the triangle has this boundary: a singularity. Law: on a closed surface the indices add up
 /// to the Euler number; in the unit tangent bundle a section is a field of directions, and this is the
-/// theorem of Poincare and Hopf. The converse holds too: whatever adds up to the Euler number is the indices
-/// of a section, which they determine up to turns along loops of the surface. Source: Yin, 1.2 (the
+/// theorem of Poincare and Hopf. The converse holds too: any numbers that add up to the Euler number are the
+/// indices of a section, and they determine it up to turns along loops of the surface. Source: Yin, 1.2 (the
 /// motivation); Steenrod, "The Topology of Fibre Bundles", section 35.
 
 #include "tetrarch/bundle/proof.hpp"
@@ -18,9 +18,9 @@
 
 namespace tetrarch::bundle {
 
-/// A section over vertices and edges: its place on each fibre, and its way from one fibre to the next.
+/// A section over vertices and edges: its place on each fiber, and its way from one fiber to the next.
 struct Section {
-  /// Where it meets the fibre over each vertex: any real number, counted mod N from the fibre's place 0.
+  /// Where it meets the fiber over each vertex: any real number, counted mod N from the fiber's place 0.
   std::vector<double> place;
   /// Of each side, the whole turns taken off the way along the edge of least number over it, seen from the
   /// side's triangle; of mates they are opposite.

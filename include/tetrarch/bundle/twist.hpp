@@ -3,12 +3,11 @@
 
 /// From a surface cut into disks to a circle bundle of any Euler number.
 ///
-/// Any cut graph serves, whose complement is disks: on so many of its edges as are needed the fibres are
-/// twisted by one step, and the shifts are found as a flow on the graph. Where the shifts are not free the
-/// flow runs along a spanning tree, towards a root at which it drains away in whole turns. Canonical loops
-/// and equators, on which the dissertation builds, are cut graphs; there the same twists and shifts come out
-/// as in its Definitions 6.3.1 (i counted from the right vertex) and 7.3.1. Source: Yin, chapters 6 and 7,
-/// generalised.
+/// Any cut graph serves if its complement consists of disks. The fibers are twisted by one step on as many of
+/// its edges as necessary, and the shifts are a flow on the graph. The flow runs along a spanning tree to a
+/// root, where it drains away in whole turns. Canonical loops and equators, on which the dissertation builds,
+/// are cut graphs; there the same twists and shifts come out as in its Definitions 6.3.1 (i counted from the
+/// right vertex) and 7.3.1. Source: Yin, chapters 6 and 7, generalized.
 
 #include "tetrarch/bundle/circle_bundle.hpp"
 #include "tetrarch/mesh/marked_surface.hpp"
@@ -22,19 +21,20 @@ namespace tetrarch::bundle {
 /// `PreconditionError` if a part of the cut surface is not orientable. O(n).
 void orient_parts(mesh::MarkedSurface& cut);
 
-/// Puts a vertex into each part of the cut surface that has none inside; returns how many. O(n).
+/// Puts a vertex into each part of the cut surface that has no interior vertex; returns the number of new
+/// vertices. O(n).
 int give_inner_vertices(mesh::MarkedSurface& cut);
 
 /// One side of each cut edge, the one of positive mark, by curve and then by number. O(n log n).
 std::vector<Side> cut_edges(const mesh::MarkedSurface& cut);
 
-/// The twist of each side, mates alike: |total| cut edges get -1 or +1 such that the bundle of `total` = e *
-/// N turns by that much; those of higher marks first. Throws `PreconditionError` if there are not so many.
-/// O(n).
+/// The twist of each side, mates alike: |total| cut edges get -1 or +1 such that the whole bundle turns by
+/// `total` = e * N; edges of higher marks come first. Throws `PreconditionError` if there are too few cut
+/// edges. O(n).
 std::vector<int> spread_twist(const mesh::MarkedSurface& cut, int total);
 
-/// Splits cut edges, in rounds in which each is halved, until there are at least `edges`; the curves of
-/// higher marks come first. The history is the surface's. O(n + splits * log(splits)).
+/// Splits cut edges until there are at least `edges`, in rounds that halve every edge; the curves of higher
+/// marks come first. The history is the surface's. O(n + splits * log(splits)).
 void split_cut_edges(mesh::MarkedSurface& cut, int edges);
 
 /// Shifts with the given twists on a connected cut graph, such that they cancel around every vertex but one,
@@ -44,8 +44,8 @@ std::vector<Shift> shifts_of(const mesh::MarkedSurface& cut, const std::vector<i
 
 /// The values that twists ask for on cut edges (+1 on the side of positive mark where there is a choice), and
 /// on the rest of each covering disk a cutting pattern. `boundary`, if given, has a value for each boundary
-/// side of the surface, in the order of `boundary_sides`; otherwise they are free. The obstruction is told by
-/// the triangles of the surface. O(n).
+/// side of the surface, in the order of `boundary_sides`; otherwise they are free. The obstruction names
+/// triangles of the surface. O(n).
 struct Values {
   std::vector<std::int8_t> value; ///< of each side
   std::optional<Obstruction> obstruction;

@@ -22,9 +22,9 @@
 
 namespace tetrarch::bundle {
 
-/// The index of each triangle for a direction at each vertex. `points` are those of the vertices; triangles
-/// of angles that cannot be told are taken as equilateral. Throws `PreconditionError` unless there are a
-/// point and a finite angle for each vertex. O(triangles).
+/// The index of each triangle for a direction at each vertex. `points` are those of the vertices; degenerate
+/// triangles count as equilateral. Throws `PreconditionError` unless there are a point and a finite angle for
+/// each vertex. O(triangles).
 std::vector<int> field_indices(const mesh::Surface& surface, const std::vector<std::array<double, 3>>& points,
                                const std::vector<double>& direction);
 

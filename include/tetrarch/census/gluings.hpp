@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
-/// Every way to glue n tetrahedra together, each once.
+/// Every gluing of n tetrahedra, each once.
 ///
 /// Lay n tetrahedra on the table and glue all 4n faces in pairs until nothing is left open and everything
 /// hangs together. Two results that differ by renaming tetrahedra and their vertices (turning a tetrahedron
@@ -35,8 +35,8 @@ struct LinkSet {
 };
 
 /// Reads a comma-separated list as it is typed after `--links`: a number g is the orientable surface of genus
-/// g, `nk` (or `Nk`) the sphere with k crosscaps. "2,3" allows genus 2 and 3 and nothing else; "0" allows
-/// spheres, so that all vertices are finite. Throws InputError that names the item which is none.
+/// g, `nk` (or `Nk`) the sphere with k crosscaps. "2,3" allows only genus 2 and genus 3; "0" allows spheres,
+/// so that all vertices are finite. Throws InputError with the first item that is none of these.
 LinkSet parse_link_set(std::string_view text);
 
 struct GluingOptions {
@@ -47,12 +47,12 @@ struct GluingOptions {
   bool ideal = false;           ///< at least one vertex link is no sphere
   std::optional<LinkSet> links; ///< every vertex link is one of these
   int min_valence = 1;          ///< every edge class has at least this many t-edges
-  bool allow_invalid = false;   ///< edges identified with themselves backwards are let pass
+  bool allow_invalid = false;   ///< allow edges that are identified with themselves backwards
   int threads = 1;
 };
 
-/// More tetrahedra than this are refused; long before, the number of gluings (some 4e7 orientable ones of
-/// six) is the limit.
+/// The greatest number of tetrahedra. In practice the number of gluings is the limit (about 4e7 orientable
+/// ones of six tetrahedra).
 inline constexpr int max_gluing_tetrahedra = 12;
 
 /// Calls `visit` in the calling thread with each connected closed gluing, once up to isomorphism.
@@ -65,7 +65,7 @@ void enumerate_gluings(const GluingOptions& options, const std::function<void(co
 /// The isomorphism signatures of the same gluings, in ASCII order.
 std::vector<std::string> gluing_signatures(const GluingOptions& options, const Progress& progress = {});
 
-/// How many there are. Builds none of them, so it is the quickest of the three.
+/// The number of these gluings. It builds none and is the quickest of the three functions.
 std::int64_t count_gluings(const GluingOptions& options, const Progress& progress = {});
 
 } // namespace tetrarch::census

@@ -18,7 +18,7 @@
 
 namespace tetrarch::census {
 
-/// A hyperbolic manifold of the census, with what tells it apart.
+/// A hyperbolic manifold of the census, with its invariants.
 struct Manifold {
   std::string name; ///< "fmp3_17"; empty where no table gives one
   int tetrahedra = 0;
@@ -46,7 +46,7 @@ std::string json_text(const Manifold& m);
 /// The order of names: by volume, boundary, canonical signature. Volumes that agree to 25 digits are equal.
 void sort_by_volume(std::vector<Manifold>& manifolds);
 
-/// How many different volumes there are, of manifolds sorted by volume, each with its multiplicity.
+/// The different volumes of manifolds that are sorted by volume, each with its multiplicity.
 struct VolumeCount {
   std::string volume;
   int manifolds = 0;
@@ -58,7 +58,7 @@ std::string write_table(int tetrahedra, const std::vector<Manifold>& manifolds);
 /// Throws InputError that names `source` and what is wrong.
 std::vector<Manifold> read_table(std::string_view text, const std::string& source);
 
-/// The text of the compiled-in table for that many tetrahedra; empty if there is none.
+/// The text of the compiled-in table for this many tetrahedra; empty if there is none.
 std::string_view stored_table_text(int tetrahedra);
 /// The compiled-in table; empty if there is none. Parsed at each call.
 std::vector<Manifold> stored_table(int tetrahedra);

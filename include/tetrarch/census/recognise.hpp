@@ -3,7 +3,7 @@
 
 /// Names for the simplest manifolds: S^3, B^3, handlebodies, S^2 bundles over S^1, lens spaces, the 3-torus.
 ///
-/// Two ways, and the answer says which was taken. By the triangulation: a closed triangulation that is a
+/// There are two ways, and the answer names its way. By the triangulation: a closed triangulation that is a
 /// layered lens space carries the two meridians in plain sight. Flatten its first tetrahedron onto the torus:
 /// a parallelogram, whose two lower faces are folded onto each other and thereby kill one slope. Each next
 /// tetrahedron lies on the parallelogram and changes its diagonal, until the last one's upper faces are
@@ -25,7 +25,7 @@ struct Recognition {
 
   /// "S^3", "B^3", "solid torus", "genus 3 handlebody", "solid Klein bottle", "S^2 x S^1", "S^2 x~ S^1",
   /// "RP^3", "L(7,2)", "T^3". Of a lens space whose group is all that is known, "L(7,?)". Empty if not
-  /// recognised.
+  /// recognized.
   std::string name;
   By by = By::nothing;
   /// Why this is the name; or what was tried.
@@ -34,11 +34,10 @@ struct Recognition {
   explicit operator bool() const { return by != By::nothing; }
 };
 
-/// Names the manifold, its ideal vertices thought truncated. Lens spaces L(p,q) are named up to orientation,
-/// q the smallest of +-q and +-1/q modulo p. That nothing is recognised means nothing, except that the reason
-/// says what was seen. A layered lens space costs O(n) operations on integers that may reach n bits; the
-/// group costs what `algebra::simplified` does: a second at most, and a few milliseconds for a few hundred
-/// tetrahedra.
+/// Names the manifold, with its ideal vertices truncated. Lens spaces L(p,q) are named up to orientation, q
+/// the smallest of +-q and +-1/q modulo p. A failure proves nothing; the reason describes what was seen. A
+/// layered lens space costs O(n) operations on integers that may reach n bits; the group costs what
+/// `algebra::simplified` does: a second at most, and a few milliseconds for a few hundred tetrahedra.
 [[nodiscard]] Recognition recognise(const Triangulation& tri, const Progress& progress = {});
 
 } // namespace tetrarch::census

@@ -4,7 +4,7 @@
 /// Classifying the manifolds from nothing, and validating the stored tables against that.
 ///
 /// From nothing: every closed orientable gluing whose links are tori or surfaces of higher genus, no edge of
-/// valence below 3; the geometric ones are solved, canonised and told apart by isometry signature; those that
+/// valence below 3; the geometric ones are solved, canonized and told apart by isometry signature; those that
 /// fewer tetrahedra make are left out. Source: Frigerio-Martelli-Petronio 2004; Yin, section 4.3.4.
 
 #include "tetrarch/census/manifold.hpp"
@@ -15,7 +15,7 @@
 
 namespace tetrarch::census {
 
-/// What a classification went through, for the record.
+/// The numbers of a classification, for the record.
 struct Tally {
   int gluings = 0;   ///< closed orientable gluings that qualify
   int geometric = 0; ///< of them, those that carry a structure
@@ -28,11 +28,11 @@ struct Classification {
   Tally tally;
 };
 
-/// All manifolds of that many tetrahedra and no fewer. One second for three on two cores, a few minutes for
+/// All manifolds of this many tetrahedra and no fewer. One second for three on two cores, a few minutes for
 /// four. Deterministic for any number of threads. Throws PreconditionError unless tetrahedra >= 1.
 Classification classify_manifolds(int tetrahedra, int threads = 1, const Progress& progress = {});
 
-/// What was published of a table: the outside witness.
+/// Published numbers of a table, as an outside witness.
 struct Published {
   int tetrahedra = 0;
   int manifolds = 0;
@@ -41,10 +41,10 @@ struct Published {
   int cusped = 0;
   const char* source = "";
 };
-/// Nothing where nothing is known to be published.
+/// Nothing if no numbers are published.
 std::optional<Published> published(int tetrahedra);
 
-/// What comes out where the stored tables are rebuilt and solved again.
+/// The result of rebuilding the stored tables and solving them again.
 struct Validation {
   int tetrahedra = 0;
   // Rebuilt from nothing:
@@ -60,7 +60,7 @@ struct Validation {
   double max_angle_error_flow = 0;
   double max_volume_error = 0;
   double max_volume_error_flow = 0;
-  /// One line per thing that is not as it should be.
+  /// One line for each failure.
   std::vector<std::string> failures;
 };
 

@@ -2,7 +2,7 @@
 #pragma once
 
 /// The boundary components of a triangulated manifold: surfaces of boundary faces ("real"), and closed vertex
-/// links other than spheres ("ideal"; the vertex is thought truncated, or a cusp).
+/// links other than spheres ("ideal"; the vertex is truncated, or a cusp).
 
 #include "tetrarch/core/skeleton.hpp"
 

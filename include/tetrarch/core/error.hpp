@@ -17,8 +17,8 @@ struct PreconditionError : std::logic_error {
   using std::logic_error::logic_error;
 };
 
-/// A place in some input: `source` as the user named it, 1-based `line` (0: the input has no lines, or all of
-/// it).
+/// A place in some input: `source` as the user named it, and a 1-based `line` (0: the input has no lines, or
+/// the place is the whole input).
 struct Place {
   std::string source;
   int line = 0;

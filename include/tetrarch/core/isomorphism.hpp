@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
-/// Combinatorial isomorphisms: relabellings of tetrahedra and of their vertices that carry gluings to
+/// Combinatorial isomorphisms: relabelings of tetrahedra and of their vertices that carry gluings to
 /// gluings.
 
 #include "tetrarch/core/triangulation.hpp"
@@ -22,9 +22,9 @@ inline Triangulation relabelled(const Triangulation& tri, const Isomorphism& iso
   return relabelled(tri, iso.tet, iso.perm);
 }
 
-/// Some isomorphism from a to b, or nothing: then there is none. Of connected triangulations it is fixed by
-/// the image of one tetrahedron, so at most 24n candidates are followed, each up to its first mismatch:
-/// O(n^2) at worst.
+/// Some isomorphism from a to b, or nothing if there is none. The image of one tetrahedron determines an
+/// isomorphism of connected triangulations, so at most 24n candidates are followed, each up to its first
+/// mismatch: O(n^2) at worst.
 std::optional<Isomorphism> find_isomorphism(const Triangulation& a, const Triangulation& b);
 
 /// All isomorphisms from a connected triangulation to itself, ordered by the image of tetrahedron 0; the

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
-/// How a long job tells how far it is, and how it is asked to stop.
+/// How a long job reports its progress, and how others ask it to stop.
 ///
 /// A job receives a `Progress` by reference, calls `step` between units of work of at most a few
-/// milliseconds, and lets `Stopped` pass through. A default-made `Progress` reports to nobody and never
-/// stops.
+/// milliseconds, and lets `Stopped` pass through. A default-constructed `Progress` reports to nobody and
+/// never stops.
 
 #include <functional>
 #include <stdexcept>
@@ -21,7 +21,7 @@ struct Stopped : std::runtime_error {
   Stopped() : std::runtime_error("interrupted") {}
 };
 
-/// How a long job reports and is asked to stop.
+/// How a long job reports its progress and learns that it should stop.
 class Progress {
 public:
   /// Called with a short stage name and the fraction done, in [0, 1]; negative where it is unknown.

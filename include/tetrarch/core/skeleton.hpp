@@ -4,10 +4,10 @@
 /// The identification functions phi_f, phi_e, phi_v of the dissertation (section 4.2.1), with their
 /// pre-images.
 ///
-/// A `Skeleton` is an immutable value computed once from a triangulation. It remembers the revision it was
-/// computed from: whoever uses both calls `require_current`, and a stale skeleton is an error at once.
-/// Classes are numbered by their first local simplex in the order of (tetrahedron, local number).
-/// Cost: O(n) time, about 200 bytes per tetrahedron.
+/// A `Skeleton` is an immutable value computed once from a triangulation. It remembers the revision of this
+/// triangulation. A function that takes both calls `require_current`, so a stale skeleton is an error at
+/// once. Classes are numbered by their first local simplex in the order of (tetrahedron, local number). Cost:
+/// O(n) time, about 200 bytes per tetrahedron.
 
 #include "tetrarch/core/ids.hpp"
 #include "tetrarch/core/surface.hpp"
@@ -36,8 +36,8 @@ public:
   EdgeId edge(TetEdge e) const { return EdgeId(edge_of_[index(e.tet, 6) + e.edge] / 2); }
   VertexId vertex(TetVertex v) const { return VertexId(vertex_of_[index(v.tet, 4) + v.vertex]); }
 
-  /// Each edge class has a direction, that of its first walk; true if e runs along it. For a reversed class
-  /// the answer is that of one of the two readings.
+  /// Each edge class has the direction of its first walk. True if e runs along it; for a reversed class, the
+  /// answer of one of the two readings.
   bool runs_along(DirectedTetEdge e) const {
     const int code = edge_of_[index(e.tet, 6) + edge_number[e.from][e.to]];
     return (code % 2 == 0) == (e.from < e.to);

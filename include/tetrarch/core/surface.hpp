@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
-/// Triangulated surfaces, and what kind of surface one is.
+/// Triangulated surfaces, and the topological type of a surface.
 ///
 /// Triangle t has corners 0,1,2 and side s opposite corner s. Two sides are glued by a map of corners that
 /// takes side to side. Vertex links and boundary components are given in this form.
@@ -18,8 +18,7 @@ struct SurfaceType {
   int boundary_curves = 0;
   bool orientable = true;
 
-  /// Handles of an orientable surface, crosscaps of a non-orientable one, of the surface with its boundary
-  /// filled in.
+  /// Number of handles (orientable) or crosscaps (non-orientable) of the surface with its boundary filled in.
   int genus() const { return orientable ? (2 - euler - boundary_curves) / 2 : 2 - euler - boundary_curves; }
   bool is_sphere() const { return euler == 2; }
   bool is_disk() const { return euler == 1 && boundary_curves == 1; }
@@ -34,8 +33,8 @@ struct SurfaceType {
 class TriangulatedSurface {
 public:
   struct Side {
-    int triangle = -1;           ///< the neighbour, -1 on the boundary
-    std::array<int, 3> corner{}; ///< corner c of this triangle is corner[c] of the neighbour
+    int triangle = -1;           ///< the neighbor, -1 on the boundary
+    std::array<int, 3> corner{}; ///< corner c of this triangle is corner[c] of the neighbor
   };
 
   explicit TriangulatedSurface(int triangles = 0) : sides_(static_cast<std::size_t>(triangles)) {}

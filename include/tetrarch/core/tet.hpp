@@ -7,7 +7,7 @@
 ///            0            Vertices 0..3; face i lies opposite vertex i.
 ///           /|\           Edges 01,02,03,12,13,23 are numbered 0..5, so opposite edges sum to 5.
 ///          / | \          (Regina numbers edges alike; SnapPea's edge e is our 5 - e.)
-///         3--|--1         Positively handed: from outside, face 0 shows 1,2,3 counter-clockwise (as drawn,
+///         3--|--1         Positively handed: from outside, face 0 shows 1,2,3 counterclockwise (as drawn,
 ///          \ | /          edge 02 in front), that is, det(v1-v0, v2-v0, v3-v0) > 0. A gluing of two
 ///           \|/           positively handed tetrahedra keeps orientations iff its permutation is odd.
 ///            2
@@ -50,7 +50,7 @@ struct DirectedTetEdge {
   friend constexpr auto operator<=>(DirectedTetEdge, DirectedTetEdge) = default;
 };
 
-/// The oriented t-face f_{abc}: covers t-vertices a, b, c, read counter-clockwise. Rotations of (a,b,c) name
+/// The oriented t-face f_{abc}: covers t-vertices a, b, c, read counterclockwise. Rotations of (a,b,c) name
 /// the same oriented t-face; `canonical` turns the smallest to the front, and equality compares canonical
 /// forms.
 struct OrientedTetFace {

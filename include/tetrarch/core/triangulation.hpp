@@ -4,7 +4,7 @@
 /// Tetrahedra and the gluings of their faces: the only stored truth about a 3-manifold.
 ///
 /// A face is glued to at most one other face; a glued pair stores, from either side, the other tetrahedron
-/// and a permutation: `gluing(f)` takes the vertices of f's tetrahedron to those of the neighbour, and f.face
+/// and a permutation: `gluing(f)` takes the vertices of f's tetrahedron to those of the neighbor, and f.face
 /// to the face it meets. Nothing else is stored; classes of edges and vertices are read off by `Skeleton`.
 /// Laws: `glue(f, t, p)` implies that the image face is glued to f by `p.inverse()`; unglue undoes glue.
 /// Source: Yin, section 4.2.1 (the tetrahedron-oriented structure).
@@ -54,7 +54,7 @@ public:
   /// gluings.
   std::uint64_t revision() const { return revision_; }
 
-  /// The same labelled gluings; for "the same up to relabelling" see isomorphism.hpp.
+  /// The same labeled gluings; for "the same up to relabeling" see isomorphism.hpp.
   friend bool operator==(const Triangulation& a, const Triangulation& b) { return a.tets_ == b.tets_; }
 
 private:

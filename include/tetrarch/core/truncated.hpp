@@ -41,7 +41,7 @@ public:
   VertexId boundary_component(TetVertex triangle) const { return skeleton_.vertex(triangle); }
   const SurfaceType& boundary_type(VertexId component) const { return skeleton_.link(component); }
   std::span<const TetVertex> triangles(VertexId component) const { return skeleton_.preimages(component); }
-  /// Of the whole boundary; 2 (E - T) where no edge is reversed.
+  /// Euler characteristic of the whole boundary; 2 (E - T) if no edge is reversed.
   int boundary_euler() const;
 
 private:

@@ -3,12 +3,12 @@
 
 /// Finite pieces of the universal cover: many copies of a domain, each once ("multiple periods").
 ///
-/// Copies are isometries, found breadth first from the identity: the neighbours of a copy g are g P for the
-/// pairings P. Two words may lead to the same copy. Isometries are looked up by where they take the base
-/// point and from where they take it back, both seen from the base point (directions, so that rounding stays
-/// relative however far the copy is), in cells with a probe of the neighbours; equal are two whose matrices
-/// differ by less than 1e-6 relatively. Distinct copies differ by much more: `closest` tells by how much.
-/// Source: Yin, section 4.4.4.
+/// Copies are isometries, found breadth first from the identity: the neighbors of a copy g are g P for the
+/// pairings P. Two words may lead to the same copy. A hash of cells holds the isometries, by the images of
+/// the base point under the isometry and its inverse, both seen from the base point (as directions, so that
+/// rounding stays relative however far the copy is); a look-up probes neighboring cells too. Two isometries
+/// are equal if their matrices differ by less than 1e-6 relatively. Distinct copies differ by much more;
+/// `closest` gives the least difference. Source: Yin, section 4.4.4.
 
 #include "tetrarch/core/progress.hpp"
 #include "tetrarch/embed/domain.hpp"
@@ -19,12 +19,12 @@
 
 namespace tetrarch::embed {
 
-/// Where to end; at least one bound is needed. 0 stands for no bound.
+/// Bounds of a piece; at least one is needed. 0 stands for no bound.
 struct PieceBounds {
   std::int64_t copies = 0;
   int word_length = 0;
-  /// All copies whose centre is within this distance of the first one's, and those that the walk to them
-  /// leads through.
+  /// Greatest distance of a center from the center of the first copy; copies on the walk to such a copy are
+  /// included.
   double radius = 0;
 };
 
@@ -34,17 +34,17 @@ struct Piece {
   std::vector<int> parent;             ///< -1 for the first
   std::vector<int> letter;             ///< the pairing P by which the parent g was left: the copy is g P
   std::vector<int> length;             ///< word length
-  std::vector<double> distance;        ///< of its centre from the first one's
+  std::vector<double> distance;        ///< of its center from the first one's
   bool complete = true;                ///< nothing within the other bounds was cut off by `copies`
   double largest_duplicate = 0;        ///< largest relative difference of two words taken for the same copy
   double closest = 2;                  ///< smallest of two copies in one cell taken for different
 };
 
-/// Memory that a piece of so many copies takes while it is made.
+/// Memory for making a piece of this many copies, in bytes.
 std::int64_t piece_bytes(std::int64_t copies);
 
-/// Throws PreconditionError without a bound or with a negative one. About 2 microseconds a copy. A radius is
-/// reached through faces that come within it, so that nothing within it is missed.
+/// Throws PreconditionError without a bound or with a negative one. About 2 microseconds a copy. The walk to
+/// a radius crosses every face that comes within it, so it misses no copy.
 Piece universal_cover(const Domain<double>& domain, const PieceBounds& bounds, const Progress& progress = {});
 
 /// The same for any discrete group of isometries without fixed points in hyperbolic space, by generators: the

@@ -3,8 +3,8 @@
 
 /// A fundamental domain of a hyperbolic manifold in hyperbolic space (a "single period"), and the holonomy.
 ///
-/// Put tetrahedron 0 down, then walk over the gluing, breadth first, and put every other one
-/// against the face through which it was reached. The union is a ball. A face inside it has a tetrahedron on
+/// Put tetrahedron 0 down, then walk over the gluing, breadth first, and put every other tetrahedron against
+/// the face through which the walk reached it. The union is a ball. A face inside it has a tetrahedron on
 /// either side; an *open* face looks at another copy of the whole domain, which the *pairing* of the face
 /// carries the domain onto. Open faces that meet in an edge of the domain and look at the same copy make up
 /// one *gluable face* (all their pairings are the same isometry):
@@ -59,8 +59,8 @@ struct Domain {
 };
 
 struct DomainOptions {
-  /// The area at which every cusp is cut off: of the horosphere's quotient. Smaller where horospheres would
-  /// come close to each other or to the geodesic boundary. It changes no pairing.
+  /// The area of the cross-section that cuts a cusp off. It is smaller where horospheres would come close to
+  /// each other or to the geodesic boundary. It changes no pairing.
   double cusp_area = 0.5;
 };
 
@@ -70,10 +70,10 @@ template <class Scalar>
 Domain<Scalar> fundamental_domain(const Triangulation& tri, const Skeleton& skeleton,
                                   const Metric<Scalar>& lengths, const DomainOptions& options = {});
 
-/// The domain of a structure that was found, as good as doubles can say it: the lengths are refined and the
-/// tetrahedra placed in 50 digits, and the result is rounded. Of more than `most_precise_edges` edge classes
-/// all is done in doubles, which costs some four digits of the sixteen. Throws PreconditionError also unless
-/// `found` is geometric. 20 milliseconds for three tetrahedra, 5 seconds for 100 edge classes.
+/// The domain of a structure, to the full precision of doubles: the lengths are refined and the tetrahedra
+/// placed in 50 digits, and the result is rounded. With more than `most_precise_edges` edge classes
+/// everything is done in doubles, which costs about four of the sixteen digits. Throws PreconditionError also
+/// unless `found` is geometric. 20 milliseconds for three tetrahedra, 5 seconds for 100 edge classes.
 inline constexpr int most_precise_edges = 100;
 Domain<double> fundamental_domain(const Triangulation& tri, const Skeleton& skeleton,
                                   const hyperbolic::Hyperbolization<double>& found,
@@ -83,7 +83,7 @@ Domain<double> fundamental_domain(const Triangulation& tri, const Skeleton& skel
 template <class Scalar>
 Matrix4<Scalar> holonomy_of(const Domain<Scalar>& domain, const algebra::Word& word);
 
-/// How far the domain is from being what it should be; every number would be 0 without rounding.
+/// Residuals of a domain; without rounding every number would be 0.
 struct Residuals {
   double seam = 0;           ///< largest distance of two corners that the gluing of a face identifies
   double relator = 0;        ///< largest entry of (holonomy of a relator) - 1, in SO(3,1)
@@ -92,8 +92,8 @@ struct Residuals {
   double boundary_plane = 0; ///< largest distance of a corner from the plane of its boundary component's lift
   double gauss_bonnet = 0;   ///< largest |area + 2 pi chi| of a boundary component, measured in place
 };
-/// Measured from the placed vertices alone, by other routes than those by which they were placed. O(n +
-/// length of the relators).
+/// Measured from the placed vertices alone, by formulas other than those that placed them. O(n + length of
+/// the relators).
 template <class Scalar>
 Residuals residuals(const Triangulation& tri, const Skeleton& skeleton, const Domain<Scalar>& domain);
 

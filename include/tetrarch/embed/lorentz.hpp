@@ -64,7 +64,7 @@ auto centroid(const Points& points) {
   return normalized(sum);
 }
 
-/// Where the line from x to the centre of v's horosphere meets that horosphere; `norm` is <x,x>: -1, 0 or 1.
+/// Where the line from x to the center of v's horosphere meets that horosphere; `norm` is <x,x>: -1, 0 or 1.
 template <class Scalar>
 Vector4<Scalar> onto_horosphere(const Vector4<Scalar>& x, const Vector4<Scalar>& v, int norm = -1) {
   const Scalar w = inner(x, v); // <result, v> = -1 and <result, result> = -1
@@ -134,7 +134,7 @@ Matrix4<Scalar> boost_to(const Vector4<Scalar>& x) {
 }
 
 /// max |M^T J M - J|. The entries of M grow like e^d where M moves the base point by d, and the rounding in
-/// this number like e^2d: it says something about isometries that move things a little.
+/// this number like e^2d: it is meaningful for isometries that move the base point a little.
 template <class Scalar>
 Scalar lorentz_defect(const Matrix4<Scalar>& m);
 

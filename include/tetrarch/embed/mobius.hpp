@@ -6,15 +6,15 @@
 ///
 /// A vector (x, y, z, t) is the Hermitian matrix X = [[t + z, x + iy], [x - iy, t - z]], whose determinant is
 /// -<v,v>, and A moves it to A X A* (to A conj(X) A* if reversing). This agrees with the model's plane at
-/// infinity (model.hpp), where zeta is the vector w w*, w = (zeta, 1). A and -A move alike: A is determined
-/// up to sign. Source: Yin, section 4.4.1 (where ad - bc = 1 is misprinted).
+/// infinity (model.hpp), where zeta is the vector w w*, w = (zeta, 1). A and -A give the same isometry, so A
+/// is determined up to sign. Source: Yin, section 4.4.1 (where ad - bc = 1 is misprinted).
 
 #include "tetrarch/embed/lorentz.hpp"
 
 namespace tetrarch::embed {
 
-/// A complex number over any scalar: std::complex promises nothing for others than the built-in ones, and
-/// Boost's adaptor does not take numbers that live on the stack.
+/// A complex number over any scalar: std::complex promises nothing for scalars other than the built-in ones,
+/// and Boost's adaptor does not take numbers that live on the stack.
 template <class Scalar>
 struct Complex {
   Scalar re = Scalar(0);

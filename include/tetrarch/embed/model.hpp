@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
-/// Three pictures of hyperbolic space, and the plane at infinity. The conventions stand here and nowhere
-/// else:
+/// Three models of hyperbolic space, and the plane at infinity. This is the only home of these conventions:
 ///
 ///   upper half space   (x, y, 1) / (t - z)      the base point is (0,0,1), the z axis the vertical geodesic
-///   Poincare ball      (x, y, z) / (1 + t)      the base point is the centre
+///   Poincare ball      (x, y, z) / (1 + t)      the base point is the center
 ///   Klein ball         (x, y, z) / t            planes are flat
 ///
 /// The plane at infinity of the half space is the complex plane, zeta = (x + i y) / (t - z) for a vector of

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
-/// What a triangulation file holds: the gluings, which are the truth, and what was said about them.
+/// The content of a triangulation file: the gluings, which are the truth, and statements about them.
 ///
 /// Every reader of this room returns a `Document` and every writer takes one, so that converting is reading
 /// and writing. Only the JSON format holds all of it; the others drop what they have no place for.

@@ -17,21 +17,22 @@ namespace tetrarch::mesh {
 
 /// One loop of the boundary, and its size.
 struct BoundaryLoop {
-  /// The ends from which the sides are walked through, as `boundary_curves` has them.
+  /// The ends at which a walk along the loop enters its sides, as in `boundary_curves`.
   std::vector<SideEnd> sides;
   double length = 0;
-  /// Of the vector area |sum p x q| / 2 over the edges pq: what a flat loop encloses, and for any loop what
-  /// its largest shadow does.
+  /// Length of the vector area, |sum p x q| / 2 over the edges pq: the area inside a flat loop, and for any
+  /// loop the area of its largest shadow.
   double area = 0;
 };
 
-/// Numbered from 0 by decreasing length; of equal ones the one with the least vertex comes first. O(n).
+/// The loops by decreasing length; among loops of equal length the one with the least vertex comes first.
+/// O(n).
 std::vector<BoundaryLoop> boundary_loops(const TriangleMesh& mesh);
 
 /// The index of the loop through a vertex; -1 if the vertex is not on the boundary. O(size of all loops).
 [[nodiscard]] int loop_through(const std::vector<BoundaryLoop>& loops, const Surface& surface, int vertex);
 
-/// Of each vertex the index of the loop through it; -1 inside. O(n).
+/// For each vertex the index of the loop through it; -1 for interior vertices. O(n).
 std::vector<int> loops_of_vertices(const std::vector<BoundaryLoop>& loops, const Surface& surface);
 
 } // namespace tetrarch::mesh

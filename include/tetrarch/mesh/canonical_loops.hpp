@@ -34,28 +34,29 @@ namespace tetrarch::mesh {
 struct CanonicalLoops {
   int base = 0;            ///< a vertex
   std::vector<int> length; ///< of loop k, at [k-1], in edges
-  int edge_splits = 0;     ///< that were needed to keep loops apart
+  int edge_splits = 0;     ///< needed to keep loops apart
   int face_splits = 0;
 };
 
-/// Marks canonical loops 1 to 2g on a closed oriented surface without marks, through vertex `base`; without
-/// one, through a vertex where loops are short. Throws `PreconditionError` unless the surface is connected,
-/// closed, unmarked, of positive genus, and no mates are turned. O(g^2 n log n) for n triangles in the end.
+/// Marks canonical loops 1 to 2g on a closed oriented surface without marks, through vertex `base`, or
+/// through a vertex with short loops if there is no `base`. Throws `PreconditionError` unless the surface is
+/// connected, closed, unmarked and of positive genus, and no mates are turned. O(g^2 n log n) for n triangles
+/// in the end.
 CanonicalLoops mark_canonical_loops(MarkedSurface& surface, int base = -1);
 
-/// The marks that the boundary of `cut_open(surface)` reads, one for each run of equal marks, from the start
-/// of the first run of least positive mark. Throws `PreconditionError` unless it has exactly one boundary
-/// curve and no mates are turned. O(n).
+/// The boundary word of `cut_open(surface)`: one mark for each run of equal marks, from the first run of the
+/// least positive mark. Throws `PreconditionError` unless it has exactly one boundary curve and no mates are
+/// turned. O(n).
 std::vector<int> boundary_word(const MarkedSurface& surface);
 
-/// What is wrong with the loops marked, for audits; empty if they are canonical. O(n).
+/// The fault of the marked loops, for audits; empty if they are canonical. O(n).
 std::string why_not_canonical(const MarkedSurface& surface);
 
 /// The edges of curve `mark`. O(n).
 int length_of(const MarkedSurface& surface, int mark);
 
-/// Splits edges of curve `mark`, always the longest (without points: the least often halved; of equal ones
-/// the side of least number), until it has at least so many. Returns the number of splits. Throws
+/// Splits edges of curve `mark` until it has at least `edges`: always the longest edge (without points, the
+/// least often halved), and among equal ones the side of least number. Returns the number of splits. Throws
 /// `PreconditionError` if there is no such curve. O(n + splits * log n).
 int lengthen(MarkedSurface& surface, int mark, int edges);
 

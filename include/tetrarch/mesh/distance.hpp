@@ -6,7 +6,7 @@
 
 namespace tetrarch::mesh {
 
-/// Between two points of space.
+/// The distance between two points of space.
 inline double distance(const std::array<double, 3>& p, const std::array<double, 3>& q) {
   return std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
 }

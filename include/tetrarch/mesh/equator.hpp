@@ -11,8 +11,8 @@
 ///           / \                    / \            disk below; one edge more,
 ///     --*--*---*--*--   =>   --*--*   *--*--       and back again at the next triangle: one less
 ///
-/// So the disk grows in rows. Of all rims from all seeds the equator is one with triangles as evenly on both
-/// sides as an equator of so few edges allows, or one a little less even and shorter.
+/// So the disk grows in rows. Among all rims from all seeds, the equator is one that halves the triangles as
+/// evenly as its number of edges allows, or a shorter one that is a little less even.
 
 #include "tetrarch/mesh/marked_surface.hpp"
 
@@ -22,16 +22,16 @@ namespace tetrarch::mesh {
 
 struct Equator {
   int edges = 0;                  ///< of the curve; more than wanted if no shorter one was found
-  int edge_splits = 0;            ///< that lengthened it
+  int edge_splits = 0;            ///< edge splits that lengthened it
   int face_splits = 0;            ///< that gave a disk its interior vertex
   std::array<int, 2> triangles{}; ///< of the two disks
 };
 
-/// Marks an equator (1) of so many edges on a sphere without marks, such that both disks have an interior
-/// vertex; its side with mark +1 is that of the disk with triangle 0. The curve found may have fewer edges,
-/// then some are split, or more, where none so short was found: on a simplicial mesh none has less than
-/// three. Throws `PreconditionError` unless the surface is a sphere without marks. `seeds` triangles are
-/// tried, far from each other. O(seeds * n log n).
+/// Marks an equator (1) of `edges` edges on a sphere without marks, such that both disks have an interior
+/// vertex; the bank of mark +1 belongs to the disk of triangle 0. If the curve has fewer edges, some are
+/// split. It has more edges if the search found no shorter curve: on a simplicial mesh every curve has at
+/// least three. Throws `PreconditionError` unless the surface is a sphere without marks. `seeds` triangles
+/// are tried, far from each other. O(seeds * n log n).
 Equator mark_equator(MarkedSurface& sphere, int edges, int seeds = 8);
 
 } // namespace tetrarch::mesh

@@ -3,9 +3,9 @@
 
 /// The solid inside a closed surface, filled with tetrahedra by the program TetGen.
 ///
-/// TetGen (Si, ACM Trans. Math. Software 41, 2015; Debian package `tetgen`) is not part of Tetrarch: if it is
-/// installed it is run, as a process of its own in a temporary directory that is removed afterwards. The
-/// surface stays as it is (TetGen's option -Y): points are added inside only.
+/// TetGen (Si, ACM Trans. Math. Software 41, 2015; Debian package `tetgen`) is not part of Tetrarch: if
+/// TetGen is installed, the library runs it as a process of its own in a temporary directory and removes the
+/// directory afterwards. The surface stays as it is (TetGen's option -Y): points are added inside only.
 
 #include "tetrarch/core/progress.hpp"
 #include "tetrarch/format/soup.hpp"
@@ -14,9 +14,9 @@
 
 namespace tetrarch::mesh {
 
-/// Throws InputError, naming the first triangle or vertex at fault, unless the triangles of `surface` make
-/// one closed surface, each edge of it run through once in either direction, around each vertex one disk. O(n
-/// log n).
+/// Throws InputError with the first triangle or vertex at fault, unless the triangles of `surface` form one
+/// closed surface: each edge runs once in either direction, and the triangles around each vertex form one
+/// disk. O(n log n).
 void require_closed_surface(const format::Soup& surface);
 
 /// The solid as a soup of TetGen's tetrahedra; its points begin with those of the surface. `program` is

@@ -20,7 +20,7 @@
 
 namespace tetrarch::mesh {
 
-/// Triangles that are known by the lengths of their sides.
+/// Triangles given by the lengths of their sides.
 struct IntrinsicTriangulation {
   Surface surface;            ///< may have loops and double edges
   std::vector<double> length; ///< of each side
@@ -30,13 +30,13 @@ struct IntrinsicTriangulation {
   bool is_delaunay = true;
 };
 
-/// Boundary edges stay. `closed`: numbers of the sides that add up to 0 around each triangle and are opposite
-/// on mates; they are carried over, so that they do the same on the new triangles. Throws InputError that
-/// names the triangle where one has no area; PreconditionError if mates are turned. O(n + flips).
+/// Boundary edges stay. `closed` holds numbers on the sides that add up to 0 around each triangle and are
+/// opposite on mates; they are carried over to the new triangles, where the same holds. Throws InputError
+/// with the number of a triangle without area; PreconditionError if mates are turned. O(n + flips).
 IntrinsicTriangulation intrinsic_delaunay(const TriangleMesh& mesh,
                                           std::vector<std::vector<int>>* closed = nullptr);
 
-/// Of each side, half the cotangent of the angle opposite, for triangles with these sides. O(n).
+/// For each side half the cotangent of the opposite angle, in triangles of these lengths. O(n).
 std::vector<double> half_cotangents(const IntrinsicTriangulation& triangulation);
 
 } // namespace tetrarch::mesh

@@ -22,16 +22,16 @@
 
 namespace tetrarch::mesh {
 
-/// Of each side, half the cotangent of the angle opposite. Throws InputError that names the triangle (counted
-/// from 0) where one is so thin that its cotangents would be rounding errors. O(n).
+/// For each side half the cotangent of the opposite angle. Throws InputError with the number of a triangle
+/// (counted from 0) that is so thin that its cotangents would be rounding errors. O(n).
 std::vector<double> half_cotangents(const TriangleMesh& mesh);
 
 /// L f, for the weights of the sides and a value at each vertex. O(n).
 std::vector<double> fluxes(const Surface& surface, const std::vector<double>& weight,
                            const std::vector<double>& f);
 
-/// L restricted to the vertices that are not held, factored once for any number of right-hand sides. By
-/// CHOLMOD or Eigen, whichever the library was built with; results are the same up to rounding.
+/// L restricted to the vertices that are not held, factored once for any number of right-hand sides. The
+/// library factors with CHOLMOD or Eigen, depending on its build; results are the same up to rounding.
 class LaplaceSolver {
 public:
   /// A number for each vertex, of any number of functions.
@@ -39,16 +39,16 @@ public:
 
   /// `held[v]` tells whether the value at vertex v is given; at least one must be, and the surface connected.
   /// Throws InputError if rounding leaves no positive definite matrix. Neither the surface nor the weights
-  /// are kept. One sparse Cholesky factorisation; in practice about O(n^1.5) for n vertices, and O(n log n)
+  /// are kept. One sparse Cholesky factorization; in practice about O(n^1.5) for n vertices, and O(n log n)
   /// memory.
   LaplaceSolver(const Surface& surface, const std::vector<double>& weight, const std::vector<char>& held);
   ~LaplaceSolver();
   LaplaceSolver(LaplaceSolver&&) noexcept;
   LaplaceSolver& operator=(LaplaceSolver&&) noexcept;
 
-  /// Holds other vertices from now on, as above. The order of elimination stays and the factor is
-  /// overwritten: this costs less time than another solver, and no memory. After InputError nothing can be
-  /// solved.
+  /// Holds other vertices from now on, as above. The order of elimination stays and the new factor overwrites
+  /// the old one, so this takes less time than a new solver, and no memory. After InputError the solver is
+  /// unusable.
   void hold(const std::vector<char>& held);
 
   /// The functions f that have the value data[k][v] where v is held, and (L f)(v) = data[k][v] where it is

@@ -43,7 +43,7 @@ void set_mark(MarkedSurface& surface, Side s, int m);
 
 /// As `Surface::split_edge`; both halves of a side inherit its mark; the new vertex lies in the middle. O(1).
 int split_edge(MarkedSurface& surface, Side s);
-/// As `Surface::split_face`; the new vertex is the centre. O(1).
+/// As `Surface::split_face`; the new vertex is the center. O(1).
 int split_face(MarkedSurface& surface, int triangle);
 
 /// Turns the triangles of sign -1 over: corners 1 and 2 are exchanged, and so are sides 1 and 2. O(n).
@@ -52,8 +52,8 @@ void turn_triangles(MarkedSurface& surface, const std::vector<int>& sign);
 /// As `Surface::flip_edge`; the edge must not be marked.
 void flip_edge(MarkedSurface& surface, Side s);
 
-/// The surface cut open along all marked edges: the same triangles and sides, vertices as far apart as the
-/// cut has torn them. O(n).
+/// The surface cut open along all marked edges: the triangles and sides stay the same, and the cut splits
+/// vertices into copies. O(n).
 Surface cut_open(const MarkedSurface& surface);
 
 } // namespace tetrarch::mesh

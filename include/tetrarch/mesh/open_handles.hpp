@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
-/// Handles opened: g loops along which a surface of genus g is cut to a sphere with 2g holes more.
+/// Opening handles: a surface of genus g, cut along g loops, becomes a sphere with 2g more holes.
 ///
 ///      .-------------.        .-------------.     Handle by handle, in the surface cut open so far: a
 ///     /   __     __   \      /   __     __   \    short loop that does not cut it in two and touches
@@ -12,7 +12,7 @@
 /// A loop is the shortest that consists of two shortest paths from a root and an edge. The edge is one that
 /// neither the tree of these paths nor a dual tree takes: then a dual loop crosses it and nothing else of the
 /// loop, whose sides are thus connected. Roots are vertices far from each other, then vertices of the best
-/// loop, while it gets shorter. So loops are short, not proved to be the shortest.
+/// loop, while it gets shorter. So the loops are short, but nothing proves that they are the shortest.
 ///
 /// On a coarse surface all vertices may be taken. If no loop is left, the middle of each edge inside that
 /// joins two of them gets a vertex; the free vertices and the edges between them then have all loops of the

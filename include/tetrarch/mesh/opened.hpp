@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
-/// A mesh that is being opened: holes punched, slit along paths, handles cut; and the names it came with.
+/// A mesh while it is opened (holes punched, paths slit, handles cut), with the original names of its parts.
 ///
-///      17         17          The two banks of a cut have a vertex each, and both are vertex 17 to whoever
-///    ---.---    .---.         calls it by name. What is left of the mesh keeps its order; the second copies
-///       |   =>  |   |         come after it. So a writer can say of every vertex and triangle what it was.
+///      17         17          Each bank of a cut has a vertex of its own, and users call both vertex 17.
+///    ---.---    .---.         The rest of the mesh keeps its order, and the second copies follow. So a
+///       |   =>  |   |         writer can name the origin of every vertex and triangle.
 ///
 /// Punching (mesh/punch.hpp), slicing (mesh/slice.hpp) and opening handles (mesh/open_handles.hpp) each take
 /// such a mesh and return one, in any order.
@@ -19,8 +19,8 @@ namespace tetrarch::mesh {
 
 struct OpenedMesh {
   TriangleMesh mesh;
-  /// Of each vertex, by which callers and messages know it: what the caller says, else its index in the
-  /// first mesh. Copies share it; -1 for vertices put in.
+  /// For each vertex the number that callers and messages use: the caller's number, or else the index in the
+  /// first mesh. Copies share it; new vertices have -1.
   std::vector<long long> number;
   std::vector<int> triangle_of; ///< of each triangle, the one of the first mesh that it is, or is a part of
 
@@ -29,7 +29,7 @@ struct OpenedMesh {
   explicit OpenedMesh(TriangleMesh m, std::vector<long long> numbers = {});
 };
 
-/// A vertex of that number, the first if there are copies. Throws InputError if there is none. O(n).
+/// The vertex of this number, or the first of its copies. Throws InputError if there is none. O(n).
 int vertex_numbered(const OpenedMesh& opened, long long number);
 
 /// `opened` along the marked edges of `marked`, which is its surface, split or not. O(n).

@@ -5,9 +5,8 @@
 
 namespace tetrarch::mesh {
 
-/// Each triangle t in four, 4t .. 4t+3 (those at its corners, then the middle one), by the middles of its
-/// sides: the same surface. Vertices keep their numbers, the middles come after them in the order of the
-/// sides. O(n).
+/// Divides each triangle t into four, 4t .. 4t+3 (three at its corners, then the middle one), by the
+/// midpoints of its sides. Vertices keep their numbers; the midpoints follow in the order of the sides. O(n).
 TriangleMesh refined(const TriangleMesh& mesh);
 
 } // namespace tetrarch::mesh

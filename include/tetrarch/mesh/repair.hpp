@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
-/// What can be mended in a soup without asking what was meant.
+/// Repairs of a soup that need no question about its meaning.
 ///
 /// Of a solid: a tetrahedron of negative volume gets its last two vertices exchanged; of several tetrahedra
 /// on the same four vertices the first is kept; points that no tetrahedron names are removed.
 ///
 /// Of a surface, which is a soup of triangles alone: a triangle that names a vertex twice is removed (what is
-/// left of it is an edge, at which its neighbours then meet); of several triangles on the same three vertices
+/// left of it is an edge, at which its neighbors then meet); of several triangles on the same three vertices
 /// the first is kept; each orientable component gets the orientation that most of its triangles have, of two
 /// halves that of the first triangle; points that no triangle names are removed.
 ///
@@ -27,8 +27,7 @@ struct Repaired {
   std::vector<std::string> done; ///< a sentence for each kind of repair that was needed
 };
 
-/// What is left keeps the numbers and lines that it has in the file. O(n log n) in the worst case, in
-/// practice linear.
+/// The rest keeps its numbers and lines in the file. O(n log n) in the worst case, in practice linear.
 Repaired repair(format::Soup soup);
 
 } // namespace tetrarch::mesh

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
-/// Sparse Cholesky factorisation, A = L L': CHOLMOD's where the library was built with it, else Eigen's.
+/// Sparse Cholesky factorization, A = L L': CHOLMOD's where the library was built with it, else Eigen's.
 ///
-/// The order of elimination is the library's: approximate minimum degree. The pattern is analysed once;
-/// matrices that share it are factored one after the other, in the same memory. With either library results
-/// depend on nothing but the matrix: CHOLMOD and OpenBLAS are held to one thread, as with more of them sums
-/// could be taken in other orders. The two libraries agree up to rounding.
+/// The order of elimination is the library's: approximate minimum degree. The pattern is analyzed once;
+/// matrices that share it are factored one after the other, in the same memory. With either library the
+/// results depend on the matrix alone: CHOLMOD and OpenBLAS use one thread, because more threads could change
+/// the order of sums. The two libraries agree up to rounding.
 
 #include <memory>
 #include <vector>
@@ -23,10 +23,10 @@ struct SymmetricMatrix {
   int size() const { return static_cast<int>(first.size()) - 1; }
 };
 
-/// The Cholesky factorisation of a sparse symmetric matrix.
+/// The Cholesky factorization of a sparse symmetric matrix.
 class SparseCholesky {
 public:
-  /// Analyses the pattern, whatever the values.
+  /// Analyzes the pattern, whatever the values.
   explicit SparseCholesky(const SymmetricMatrix& pattern);
   ~SparseCholesky();
   SparseCholesky(SparseCholesky&&) noexcept;

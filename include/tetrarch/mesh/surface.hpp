@@ -3,11 +3,11 @@
 
 /// A triangulated surface: the corners of its triangles, and which sides are *mates*.
 ///
-/// An edge inside is two sides that are mates, a boundary edge is one side without. Mates run in opposite
-/// directions where their triangles are turned the same way, else they are *turned*: they run together, and
-/// crossing there exchanges left and right, as every non-orientable surface has it somewhere. Two triangles
-/// may share several edges or vertices, a triangle may be glued to itself, and an edge may be a loop:
-/// covering disks of surfaces and triangulations with one vertex have all of that.
+/// An interior edge is a pair of mates; a boundary edge is one side without a mate. Mates run in opposite
+/// directions if their triangles are oriented alike. Otherwise they are *turned*: they run in the same
+/// direction, and crossing the edge exchanges left and right. Every non-orientable surface has turned mates.
+/// Two triangles may share several edges or vertices, a triangle may be glued to itself, and an edge may be a
+/// loop: covering disks of surfaces and triangulations with one vertex have all of these.
 ///
 /// Why not OpenMesh, CGAL or the like: all ask for simplicial, oriented meshes; here a cut is a mate taken
 /// away, so that a surface and its covering disk have the same triangles and sides. And a triangle is six
@@ -30,8 +30,8 @@ public:
   Surface() = default;
   /// From the corners of triangles, on vertices 0 .. vertices-1; sides with the same two ends are mates.
   /// Throws `InputError`, naming the triangle or vertex (counted from 0), unless all indices are in range,
-  /// the corners of a triangle differ, every vertex is used, and no edge is on three triangles. Vertices at
-  /// which several fans of triangles meet are not looked for. O(n).
+  /// the corners of a triangle differ, every vertex is used, and no edge is on three triangles. There is no
+  /// search for vertices at which several fans of triangles meet. O(n).
   Surface(int vertices, std::vector<Triangle> triangles);
 
   /// From gluings: the mate of each side, none on the boundary; and which sides have a turned mate (empty:
@@ -100,9 +100,8 @@ std::vector<SideEnd> fan(const Surface& surface, SideEnd e);
 /// vertex.
 SideEnd next_on_boundary(const Surface& surface, SideEnd e);
 
-/// Each boundary curve once, as the ends from which its sides are walked through: from end to the other end,
-/// then from the next. Curves and their first sides in the order of the sides; where no mates are turned, the
-/// surface lies to the left. O(n).
+/// Each boundary curve once, as the ends at which a walk enters its sides. Curves and their first sides come
+/// in the order of the sides; if no mates are turned, the surface lies to the left. O(n).
 std::vector<std::vector<SideEnd>> boundary_curves(const Surface& surface);
 
 /// The connected parts: `of[t]` is numbered by first triangle. O(n).
@@ -112,7 +111,7 @@ struct Parts {
 };
 Parts parts(const Surface& surface);
 
-/// One part of a surface, and what its triangles are there.
+/// One part of a surface, and the numbers of its triangles in the whole.
 struct Part {
   Surface surface;
   std::vector<int> triangles;

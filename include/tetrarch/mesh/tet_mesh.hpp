@@ -10,7 +10,7 @@
 ///        \ | /         Coordinates are finite; of orientation nothing is promised (`mesh/repair.hpp` turns
 ///          1           all tetrahedra to positive volume), nor that no tetrahedra overlap.
 ///
-/// Whoever reads a file gets a soup, which promises nothing; `build` is the way from it to a mesh.
+/// A reader of files returns a soup, which promises nothing; `build` makes a mesh of it.
 
 #include "tetrarch/core/triangulation.hpp"
 #include "tetrarch/format/soup.hpp"
@@ -31,7 +31,7 @@ struct TetMesh {
 /// `validate` and the number of the others. O(n log n) for n tetrahedra in the worst case, in practice
 /// linear.
 TetMesh build(format::Soup soup);
-/// The same with what `validate(soup, n)` said for some n >= 1, for those who want the report too.
+/// The same with the report of `validate(soup, n)` for some n >= 1, for callers that need the report too.
 TetMesh build(format::Soup soup, const Report& report);
 
 /// Tetrahedron t of the mesh is tetrahedron t, its v-th point is vertex v; faces on the same three points are

@@ -5,11 +5,11 @@
 ///
 /// The promise: indices are in range, every point is used, the three of a triangle differ, no two triangles
 /// name the same three, at most two share an edge, and the triangles around a vertex make one fan.
-/// Coordinates are finite. Mates are turned only where the surface is not orientable. That it does not meet
-/// itself in space is not promised.
+/// Coordinates are finite. Mates are turned only where the surface is not orientable. The surface may meet
+/// itself in space.
 ///
-/// Whoever reads a file gets a soup, which promises nothing; `build_surface` is the way from it to a mesh,
-/// mesh/validate_surface.hpp tells all that stands in that way, and mesh/repair.hpp mends some of it.
+/// A reader of files returns a soup, which promises nothing. `build_surface` makes a mesh of it,
+/// mesh/validate_surface.hpp lists the faults that prevent this, and mesh/repair.hpp mends some of them.
 
 #include "tetrarch/format/soup.hpp"
 #include "tetrarch/mesh/surface.hpp"
@@ -32,7 +32,8 @@ struct TriangleMesh {
 /// of the others, where several components are fatal too; then with the first repairable one. O(n log n) for
 /// n triangles in the worst case, in practice linear.
 TriangleMesh build_surface(format::Soup soup);
-/// The same with what `validate_surface(soup, n)` said for some n >= 1, for those who want the report too.
+/// The same with the report of `validate_surface(soup, n)` for some n >= 1, for callers that need the report
+/// too.
 TriangleMesh build_surface(format::Soup soup, const Report& report);
 
 } // namespace tetrarch::mesh

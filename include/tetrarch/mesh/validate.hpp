@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
-/// What is wrong with a soup of tetrahedra, all of it, by the numbers that the file uses. Kinds that only
-/// surfaces have are explained in mesh/validate_surface.hpp.
+/// Every fault of a soup of tetrahedra, by the numbers that the file uses. Kinds that only surfaces have are
+/// explained in mesh/validate_surface.hpp.
 ///
 /// | kind                | severity   | what was seen                                                |
 /// | ------------------- | ---------- | ------------------------------------------------------------ |
@@ -20,11 +20,11 @@
 /// | unused_vertex       | repairable | a point is in no tetrahedron                                 |
 /// | several_components  | remark     | the tetrahedra are not all connected through faces           |
 ///
-/// Fatal findings keep a soup from being a mesh; repairable ones too where the promise of `TetMesh` asks for
-/// it (duplicates), else they are only told. Tetrahedra at fault by themselves (out of range, a vertex
-/// repeated, duplicates) are left out when faces, edges and vertices are looked at, and where a face is
-/// shared by three or more, so that nothing can be glued there, edges and vertices are not looked at, as
-/// every one near that face would be reported.
+/// A soup with fatal findings is no mesh. Duplicates, which are repairable, also break the promise of
+/// `TetMesh`; other findings are only reported. The checks of faces, edges and vertices leave out tetrahedra
+/// with a fault of their own (out of range, a vertex repeated, duplicates). If three or more tetrahedra share
+/// a face, nothing can be glued there; edges and vertices are then not checked, because every one near this
+/// face would be reported.
 
 #include "tetrarch/format/soup.hpp"
 
@@ -75,17 +75,17 @@ Place place_of(const Finding& finding, const format::Soup& soup);
 
 /// All findings in a soup.
 struct Report {
-  /// By kind in the order of `Kind`, then by element; of each kind at most as many as were asked for.
+  /// By kind in the order of `Kind`, then by element; at most the requested number of each kind.
   std::vector<Finding> findings;
-  /// How many there are of each kind, listed or not.
+  /// The number of findings of each kind, listed or not.
   std::array<std::int64_t, kind_count> counts{};
 
   std::int64_t count(Kind kind) const { return counts[static_cast<std::size_t>(kind)]; }
   std::int64_t count(Severity severity) const;
 };
 
-/// Everything that is wrong with the tetrahedra of `soup`; of each kind, the first `listed` are told in full.
-/// Nothing is thrown. O(n log n) in the worst case, in practice linear; about 250 bytes a tetrahedron.
+/// Every fault of the tetrahedra of `soup`; the first `listed` findings of each kind in full. Throws nothing.
+/// O(n log n) in the worst case, in practice linear; about 250 bytes a tetrahedron.
 Report validate(const format::Soup& soup, int listed = 10);
 
 } // namespace tetrarch::mesh

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
-/// What is wrong with a soup of triangles, all of it, by the numbers that the file uses.
+/// Every fault of a soup of triangles, by the numbers that the file uses.
 ///
 /// | kind                | severity   | what was seen                                                    |
 /// | ------------------- | ---------- | ---------------------------------------------------------------- |
@@ -24,17 +24,17 @@
 ///           \ \ \|       orientation passes.
 ///            `-'-'
 ///
-/// Boundary is no fault, nor is it told here: mesh/boundary_loops.hpp lists it. Triangles at fault by
-/// themselves (out of range, degenerate, duplicates) are left out when edges and vertices are looked at.
+/// Boundary is no fault and is not reported here: mesh/boundary_loops.hpp lists it. The checks of edges and
+/// vertices leave out triangles with a fault of their own (out of range, degenerate, duplicates).
 
 #include "tetrarch/mesh/validate.hpp"
 
 namespace tetrarch::mesh {
 
-/// Everything that is wrong with the triangles of `soup`; of each kind, the first `listed` are told in full.
-/// Of the turned triangles, fewest for each component (of two halves, the one without the first triangle),
-/// those with a neighbour that is not turned come first. Nothing is thrown. O(n log n) in the worst case, in
-/// practice linear; about 100 bytes a triangle.
+/// Every fault of the triangles of `soup`; the first `listed` findings of each kind in full. The turned
+/// triangles are the minority of each component (of two halves, the one without the first triangle); those
+/// with a neighbor that is not turned come first. Throws nothing. O(n log n) in the worst case, in practice
+/// linear; about 100 bytes a triangle.
 Report validate_surface(const format::Soup& soup, int listed = 10);
 
 } // namespace tetrarch::mesh

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
-/// On which side of a plane a point lies, decided exactly.
+/// The side of a plane on which a point lies, decided exactly.
 
 #include <array>
 

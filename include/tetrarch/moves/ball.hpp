@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
-/// Replacing a ball of tetrahedra by another ball with the same boundary: what every Pachner move is.
+/// Replacing a ball of tetrahedra by another ball with the same boundary, as every Pachner move does.
 ///
 /// Draw the ball on its own and number its corners 0, 1, 2, ... . Each tetrahedron of the triangulation
 /// inside it is `Placed`: its vertex v sits at corner `corners[v]`. A filling lists the corners of the new
@@ -52,10 +52,10 @@ struct Replaced {
 /// The same of a triangulation that stays as it is. O(n).
 Replaced replace(const Triangulation& tri, const Ball& ball);
 
-/// A move that can be made, or the reason why not.
+/// A legal move, or the reason why it is illegal.
 using BallOrObstacle = std::variant<Ball, Obstacle>;
 
-// The makers below take whatever knows its gluings: a Triangulation or a Complex. O(1).
+// The makers below take a Triangulation or a Complex. O(1).
 
 /// One tetrahedron makes room for four around a new vertex at corner 4; its vertices are corners 0..3.
 template <class Gluings>

@@ -34,7 +34,7 @@ std::vector<std::vector<TetFace>> boundary_faces(const Complex& complex);
 
 /// Cones the component that these triangles make up, one tetrahedron on each, triangle k on tetrahedron
 /// `last_change().new_tets[k]`; the new vertex is `last_change().new_vertices[0]`: finite on a sphere, else
-/// ideal. Refused where a vertex link is no disk. Throws PreconditionError if the triangles are not a whole
+/// ideal. Refused if a vertex link is no disk. Throws PreconditionError if the triangles are not a whole
 /// component. O(sum of the valences of the boundary edges).
 [[nodiscard]] MaybeObstacle cone(Complex& complex, const std::vector<TetFace>& component);
 

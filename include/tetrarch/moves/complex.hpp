@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
-/// The mutable form of a triangulation: gluings, with the classes of edges and vertices kept up as they
-/// change.
+/// The mutable form of a triangulation: gluings, together with the classes of edges and vertices, which
+/// follow every change.
 ///
 /// Tetrahedra live in slots that a move frees and reuses; a slot is one cache line of gluings and labels.
-/// Classes are labels in union-find forests: a move that identifies two edges links two labels and touches
-/// no tetrahedron for it, however large the classes. An id names its class until the class is absorbed by
-/// another one (`edge`, `vertex` and `current` then give the other's id). Of a vertex only the kind of its
-/// link is kept, which every move knows beforehand; `Skeleton` computes all of it anew and is the audit.
+/// Classes are labels in union-find forests: a move that identifies two edges links two labels and touches no
+/// tetrahedron for it, however large the classes. An id names its class until the class is absorbed by
+/// another one (`edge`, `vertex` and `current` then give the other's id). Only the kind of a vertex link is
+/// kept, which every move knows beforehand; `Skeleton` computes the whole link anew and serves as the audit.
 ///
 /// Moves are free functions (merge.hpp, pachner.hpp, flat.hpp, boundary_moves.hpp, cone.hpp). Each asks
-/// `why_not_...` first and then happens whole; what it did is `last_change()`.
-/// Cost: construction O(n), about 80 bytes per tetrahedron. Looking up a class shortens the way to its root,
-/// so that even a const Complex must not be shared between threads.
+/// `why_not_...` first and then happens whole; `last_change()` describes the result. Cost: construction O(n),
+/// about 80 bytes per tetrahedron. A look-up shortens the way to the root of a class, so threads must not
+/// share even a const Complex.
 
 #include "tetrarch/core/ids.hpp"
 #include "tetrarch/core/triangulation.hpp"
@@ -27,7 +27,7 @@
 
 namespace tetrarch::moves {
 
-/// What a vertex link is, as far as moves must know.
+/// The kind of a vertex link, as far as moves need it.
 enum class LinkKind : std::uint8_t {
   sphere, ///< an interior vertex
   disk,   ///< a vertex on the real boundary
@@ -111,8 +111,8 @@ public:
   Compact compact() const;
   Triangulation triangulation() const { return compact().tri; }
 
-  /// Renumbers slots, edges and vertices from 0 in the order of slots, so that what is gone takes no room;
-  /// ids of before are renamed. O(slots + ids).
+  /// Renumbers slots, edges and vertices from 0 in the order of slots, so that empty slots take no room;
+  /// earlier ids get new names. O(slots + ids).
   struct Renaming {
     std::vector<int> tet;             ///< -1: an empty slot
     Table<VertexId, VertexId> vertex; ///< -1: gone; a merged vertex has the new name of what it is part of
@@ -140,7 +140,7 @@ public:
   /// For classes that no tetrahedron has any more.
   void remove_vertex(VertexId v);
   void remove_edge(EdgeId e);
-  /// The two become one; the union lies on the boundary or is reversed if one of them was.
+  /// Merges the two; the union lies on the boundary or is reversed if one of the two was.
   void merge_vertices(VertexId a, VertexId b, LinkKind link);
   void merge_edges(EdgeId a, EdgeId b);
   void relabel(TetVertex v, VertexId part);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
-/// A move as a value: to be asked about, made, written down, and made again.
+/// A move as a value: a program can test it, make it, write it down, and make it again.
 ///
 /// A log replays on a Complex of the triangulation it was recorded from, because slots are taken and freed in
 /// a fixed order. As text a move is a line: its name, the slot of its tetrahedron, and what else it needs:
@@ -73,7 +73,7 @@ bool is_called(const Move& move, std::string_view word);
 [[nodiscard]] MaybeObstacle why_not_apply(const Complex& complex, const Move& move);
 [[nodiscard]] MaybeObstacle apply(Complex& complex, const Move& move);
 
-/// Makes all moves; the first that cannot be made is left out with all after it, and is returned.
+/// Makes all moves up to the first illegal one, which is returned; nothing after it is made.
 struct Refused {
   std::size_t index;
   Obstacle obstacle;

@@ -33,12 +33,12 @@ namespace tetrarch::moves {
 /// Merges e.from into e.to, or changes nothing and says why. O(d log d).
 [[nodiscard]] MaybeObstacle merge(Complex& complex, DirectedTetEdge e);
 
-/// What is left where no merge is legal: an edge from a finite vertex is pinched. The complex is opened along
+/// The last resort if no merge is legal: pinching an edge from a finite vertex. The complex is opened along
 /// the left triangle of the tetrahedron held by e, and two tetrahedra are blown in, one between the two sides
 /// of the triangle, one folded into it, in which both ends of the edge are one point: two tetrahedra more,
 /// one vertex less, the same manifold. The edge becomes a loop. Needs different ends, `e.from` or `e.to` an
-/// interior vertex, and an interior triangle; nothing else. O(1). (That a pinch by two tetrahedra exists is
-/// folklore; these two were found by trying all.)
+/// interior vertex, and an interior triangle; nothing else. O(1). (The existence of a pinch by two tetrahedra
+/// is folklore; a search through all cases found these two.)
 [[nodiscard]] MaybeObstacle pinch(Complex& complex, DirectedTetEdge e);
 [[nodiscard]] MaybeObstacle why_not_pinch(const Complex& complex, DirectedTetEdge e);
 

@@ -6,11 +6,11 @@
 ///
 ///     2-0 edge     two tetrahedra around an edge of valence 2 become their two common outer sides
 ///     2-0 vertex   two tetrahedra around a vertex of degree 2 become one triangle
-///     2-1          the tetrahedron folded around an edge of valence 1 melts into its neighbour
+///     2-1          the tetrahedron folded around an edge of valence 1 melts into its neighbor
 ///     0-2          the inverse of the first (at an edge) and of the second (at a face)
 ///
-/// Every function makes the move and returns nothing, or changes nothing and says why; `why_not_apply` in
-/// log.hpp asks without doing. All keep the manifold and its boundary. O(1) unless said otherwise.
+/// Every function makes the move and returns nothing, or changes nothing and returns the reason;
+/// `why_not_apply` in log.hpp only tests. All keep the manifold and its boundary. O(1) unless said otherwise.
 /// Source: Pachner 1991; Matveev, "Algorithmic topology and classification of 3-manifolds", section 1.2.
 
 #include "tetrarch/moves/complex.hpp"
@@ -28,7 +28,7 @@ namespace tetrarch::moves {
 
 [[nodiscard]] MaybeObstacle two_zero_edge(Complex& complex, DirectedTetEdge e);
 [[nodiscard]] MaybeObstacle two_zero_vertex(Complex& complex, TetVertex v);
-/// `e.from` is the end whose opposite face leads to the neighbour that takes the tetrahedron in: a 2-3 move
+/// `e.from` is the end whose opposite face leads to the neighbor that takes the tetrahedron in: a 2-3 move
 /// there and a 2-0 move.
 [[nodiscard]] MaybeObstacle two_one(Complex& complex, DirectedTetEdge e);
 

@@ -3,14 +3,14 @@
 
 /// Fewer tetrahedra, the same manifold.
 ///
-/// First greedily: a worklist of tetrahedra, from which moves that remove tetrahedra are made wherever they
-/// are legal (3-2, 2-0, 2-1, vertex merges with the edge of largest valence first, shelling, closing of
-/// books), and only the neighbourhood of a move is looked at again. Large edges first is what matters: a
-/// merge removes as many tetrahedra as meet at its edge, and edges of small valence leave through 3-2 and 2-0
-/// moves instead; merging in any order was forty times slower on a ball of three million tetrahedra, because
-/// a few edges then grow without bound. Then by chance: random 2-3 and 4-4 moves, greed again, and the result
-/// is kept if it is no larger; until a budget of such excursions in a row has won nothing.
-/// Source: Yin, section 4.2.2, steps [1] and [3].
+/// The first phase is greedy. It takes tetrahedra from a worklist, makes every legal move that removes
+/// tetrahedra (3-2, 2-0, 2-1, vertex merges with the edge of largest valence first, shelling, closing of
+/// books), and returns only to the neighborhood of a move. The order matters, large edges first: a merge
+/// removes all tetrahedra at its edge, and edges of small valence leave through 3-2 and 2-0 moves instead;
+/// merging in any order was forty times slower on a ball of three million tetrahedra, because a few edges
+/// then grow without bound. The second phase makes excursions: random 2-3 and 4-4 moves, then the greedy
+/// phase again. It keeps a result that is no larger, and it ends when a whole budget of excursions in a row
+/// has won nothing. Source: Yin, section 4.2.2, steps [1] and [3].
 
 #include "tetrarch/core/progress.hpp"
 #include "tetrarch/core/random.hpp"
@@ -23,18 +23,18 @@ namespace tetrarch::moves {
 
 struct SimplifyOptions {
   std::uint64_t seed = 1;
-  /// Excursions in a row that win nothing, after which the result stands: so many for each tetrahedron left,
-  /// but at least and at most so many in all. One takes some ten microseconds, and copies the complex.
+  /// The budget of excursions in a row that win nothing: a number for each remaining tetrahedron, within a
+  /// least and a greatest total. An excursion takes about ten microseconds and copies the complex.
   int excursions_per_tet = 100;
   int least_excursions = 500;
   int most_excursions = 10'000;
-  /// All excursions together may copy about so many tetrahedra: a second or two, where much is left.
+  /// Greatest number of tetrahedra that all excursions together may copy: a second or two for a large result.
   long long most_work = 50'000'000;
   /// Merge along boundary edges, shell and close books; otherwise the boundary stays as it is.
   bool change_boundary = true;
-  /// Every move made is appended.
+  /// Every move is appended to this log.
   MoveLog* log = nullptr;
-  /// Called after every so many moves, for instance to compare with an independent `Skeleton`.
+  /// Called after every `audit_every` moves, for instance to compare with an independent `Skeleton`.
   std::function<void(const Complex&)> audit;
   int audit_every = 1000;
 };

@@ -11,7 +11,7 @@
 /// and then simplify to a local minimum. A boundary sphere is coned to a finite vertex, that is, a ball is
 /// filled in; this vertex too is merged away where another one remains, unless spheres are to be kept. The
 /// input may have ideal vertices besides real boundary. Steps [1] and [3] also make 3-2, 2-0 and 2-1 moves:
-/// merges alone leave what hubs of large valence block. Nothing is computed anew for the whole complex.
+/// merges alone would stop at hubs of large valence, which block them. No step recomputes the whole complex.
 /// Source: Yin, section 4.2.2.
 
 #include "tetrarch/core/surface.hpp"
@@ -22,12 +22,12 @@
 namespace tetrarch::moves {
 
 struct TruncateOptions {
-  /// Leave a vertex for each boundary sphere, to be truncated too.
+  /// Leave a vertex for each boundary sphere, and truncate it too.
   bool keep_spheres = false;
   SimplifyOptions simplify;
 };
 
-/// What became of a boundary component of the input; they are numbered as by `boundary_components`: real
+/// The fate of a boundary component of the input. Components are numbered as by `boundary_components`: real
 /// ones by first face, then ideal vertices.
 struct BoundaryImage {
   SurfaceType type;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
-/// A partition of the boundary found without being told anything.
+/// A search for a partition of the boundary, without any hints.
 ///
 ///     ridges    Cut along its sharp edges, the boundary falls apart into sides. Of all pairs of sides that
 ///               are bases of a partition, one is taken.
@@ -12,12 +12,12 @@
 ///               the solid, the outer one lies halfway between their banks. Where limbs would lie in one base
 ///               alone, both bases send branches into them, on opposite sides. Rims are made smooth as above.
 ///
-/// They are tried in this order; the first partition whose field has no critical place is taken, else that
-/// with the fewest. More branches are tried while they make the field reach clearly farther. Among several
-/// sides or axes the best has the greatest score: |F - C| / A, where F and C are the vector areas of floor
-/// and ceiling and A is the area of the boundary. It is the greater, the larger and flatter the bases are and
-/// the more they face away from each other, and it does not depend on the position of the solid. Source:
-/// after Yin, section 3.4.1, who flows from seeds.
+/// The search tries the three ways in this order. It takes the first partition whose field has no critical
+/// point, or else the partition with the fewest. It tries more branches as long as they make the field reach
+/// clearly farther. Among several sides or axes the best has the greatest score: |F - C| / A, where F and C
+/// are the vector areas of floor and ceiling and A is the area of the boundary. It is the greater, the larger
+/// and flatter the bases are and the more they face away from each other, and it does not depend on the
+/// position of the solid. Source: after Yin, section 3.4.1, who flows from seeds.
 
 #include "tetrarch/core/progress.hpp"
 #include "tetrarch/product/partition.hpp"
@@ -31,12 +31,12 @@ namespace tetrarch::product {
 struct AutomaticOptions {
   double ridge_degrees = 30; ///< an edge is sharp if the normals of its triangles differ by more than this
   int axes = 100;            ///< besides the six principal ones
-  /// On the cosine between normal and axis: how far the bases reach.
+  /// Thresholds for the cosine between normal and axis, which set how far the bases reach.
   std::vector<double> thresholds{0.2, 0.35, 0.5, 0.65, 0.8};
   /// Rounds of averaging the normals, until one of them does it. Some make rims smoother, many wash small
   /// holes away.
   std::vector<int> smoothings{25, 5, 0, 100};
-  /// How many branches floor and ceiling send into limbs, one number after the other.
+  /// Numbers of branches that floor and ceiling send into limbs, tried one after the other.
   std::vector<int> branches{0, 4, 8, 12, 16, 24, 32};
   bool smooth_rims = true; ///< whether tetrahedra may be split
   int threads = 1;         ///< of the search for axes; they make no difference to what is found
@@ -49,7 +49,7 @@ struct Automatic {
   std::string how; ///< in words: which way, which axis
 };
 
-/// Nothing if no way led to a partition: that proves nothing about the solid. O(axes thresholds n) at worst.
+/// Nothing if no way led to a partition, which proves nothing about the solid. O(axes thresholds n) at worst.
 [[nodiscard]] std::optional<Automatic>
 automatic_partition(const Solid& solid, const AutomaticOptions& options = {}, const Progress& progress = {});
 

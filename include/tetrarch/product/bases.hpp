@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
-/// Floor and ceiling that somebody points out.
+/// Floor and ceiling from hints of the caller.
 ///
 ///       labels     the triangles that a file labels so
 ///       cycles     closed walks on the boundary, which cut it into bases and walls
 ///       flooding   from a seed, as far as triangles face its way; what is left over are the walls
 ///       tunnels    loops around the walls, widened to both sides; what is left over are the bases
 ///
-/// Each function gives the bases as `partition` wants them, 0, 1 or -1 of each triangle of the boundary, and
-/// leaves it to `partition` to say whether they are any good. Vertices are those of the solid. Source: Yin,
-/// section 3.4.1.
+/// Each function gives the bases in the form of `partition`, 0, 1 or -1 for each triangle of the boundary;
+/// `partition` checks them. Vertices are those of the solid. Source: Yin, section 3.4.1.
 
 #include "tetrarch/product/solid.hpp"
 
@@ -19,15 +18,15 @@
 
 namespace tetrarch::product {
 
-/// Triangles by their vertices, and a label of each. Throws InputError if nothing has one of the two labels,
-/// or something that has is no triangle of the boundary. O(n log n).
+/// Triangles by their vertices, and a label of each. Throws InputError if one of the two labels does not
+/// occur, or occurs on something other than a triangle of the boundary. O(n log n).
 std::vector<int> bases_with_labels(const Solid& solid, const std::vector<std::array<int, 3>>& triangles,
                                    const std::vector<int>& label, std::array<int, 2> floor_and_ceiling);
 
 /// Walks by their vertices; the last is joined with the first. The bases are the two pieces that are no
 /// annuli; of four annuli, those two opposite ones that are flatter. The floor is the one with the first
-/// triangle. Throws InputError if two vertices in a row are no edge of the boundary, or the pieces are
-/// others. O(n log n).
+/// triangle. Throws InputError if two consecutive vertices are not an edge of the boundary, or if the pieces
+/// are of another kind. O(n log n).
 std::vector<int> bases_between_cycles(const Solid& solid, const std::vector<std::vector<int>>& cycles);
 
 struct Flooding {
@@ -40,7 +39,7 @@ struct Flooding {
 std::vector<int> bases_by_flooding(const Solid& solid, const Flooding& flooding);
 
 /// Walls are the triangles whose vertices are no farther than `extend`, along edges, from a tunnel, a walk as
-/// above. Throws InputError as above, and if two pieces are not left. O(n log n).
+/// above. Throws InputError as above, and unless exactly two pieces are left. O(n log n).
 std::vector<int> bases_beyond_tunnels(const Solid& solid, const std::vector<std::vector<int>>& tunnels,
                                       double extend);
 

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
-/// Where a field has no direction: fibres part or end there, and the solid is no product along it.
+/// Critical points of a field: fibers part or end there, and the field makes no product of the solid.
 ///
 ///        + + -         A vertex is regular if those of its link that are lower hang together, and so do
 ///       -  o  +        those that are higher; on a wall, both also in the link on the wall. Elsewhere there
 ///        - + +         is an extremum or, as here, a saddle. Of vertices with equal w the one of lesser
 ///                      number is lower, which makes no critical vertices of its own.
 ///
-/// A field without critical places is a proof that the solid is a product, floor x interval. With some it is
-/// no proof of the contrary: another mesh, partition or weights may be without. Source: Banchoff, "Critical
+/// A field without critical points proves that the solid is a product, floor x interval. Critical points
+/// prove nothing: another mesh, another partition or other weights may have none. Source: Banchoff, "Critical
 /// points and curvature for embedded polyhedra" (1967).
 
 #include "tetrarch/product/partition.hpp"

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
-/// Fibres: the curves along which a field runs from the floor to the ceiling.
+/// Fibers: the curves along which a field runs from the floor to the ceiling.
 ///
-///     =====*=====       In each tetrahedron the field is a constant vector, so a fibre is a polygon. At a
+///     =====*=====       In each tetrahedron the field is a constant vector, so a fiber is a polygon. At a
 ///          \            face, an edge or a vertex it goes on into that tetrahedron, face or edge around the
 ///           |           point where the way is steepest: where the field points into a face from both sides,
 ///     ------*------     it slides along the face, so it always goes on but at an extremum. On a wall the
-///            \          choice is among the faces and edges of the wall: a fibre that starts there stays
+///            \          choice is among the faces and edges of the wall: a fiber that starts there stays
 ///     ========*===      there.
 ///
-/// Source: Yin, section 3.4.4, whose tracing knows no sliding and has no next tetrahedron at a few per cent
-/// of the faces.
+/// Source: Yin, section 3.4.4; the tracing there does not slide, and finds no next tetrahedron at a few
+/// percent of the faces.
 
 #include "tetrarch/product/partition.hpp"
 
@@ -37,26 +37,26 @@ double value_at(const Solid& solid, const std::vector<double>& f, const Location
 
 enum class Way : std::uint8_t { down, up };
 
-/// Which vectors a fibre follows.
+/// The vectors that a fiber follows.
 enum class Direction : std::uint8_t {
-  gradient, ///< of w, constant on each tetrahedron: rises all the way, but fibres may run into one another
-  smoothed  ///< at each vertex the mean of those around it, linear on each tetrahedron: fibres stay apart
+  gradient, ///< of w, constant on each tetrahedron: rises all the way, but fibers may run into one another
+  smoothed  ///< at each vertex the mean of those around it, linear on each tetrahedron: fibers stay apart
 };
 
 enum class FiberEnd : std::uint8_t {
   base,  ///< arrived on the floor, or on the ceiling
   level, ///< arrived at the level that was asked for
-  stuck, ///< no way on: the field vanishes or has an extremum there
+  stuck, ///< no way on: the field vanishes or has an extremum
   budget ///< too many steps
 };
 
-/// Where a fibre ends, and how.
+/// The end of a fiber: place and reason.
 struct Fiber {
   FiberEnd end = FiberEnd::stuck;
   Location at; ///< where it ends; on a base only the weights of vertices on the base are not 0
   int steps = 0;
   double length = 0;
-  /// Whether smoothed vectors led nowhere, so that the gradient was followed from the start.
+  /// Whether smoothed vectors led nowhere and the fiber followed the gradient from the start.
   bool by_gradient = false;
 };
 
@@ -64,7 +64,7 @@ struct Fiber {
 ///
 /// Smoothed vectors are means weighted by volume. At walls what points out of them is taken away, and on a
 /// ridge between two walls all but what runs along it. They are of second order on regular meshes, where the
-/// gradient is of first, and continuous; inside a tetrahedron a fibre then goes straight in the direction of
+/// gradient is of first, and continuous; inside a tetrahedron a fiber then goes straight in the direction of
 /// the middle of its way.
 class FiberField {
 public:
@@ -86,7 +86,7 @@ public:
   Fiber trace(const Location& from, Way way) const;
   /// The same with the corners of the polygon, from start to end, put at the end of `path`.
   Fiber trace(const Location& from, Way way, std::vector<Point>& path) const;
-  /// Only as far as where w is `level`; nowhere if it is there or beyond already.
+  /// The same up to the point where w is `level`; it does not move if it starts there or beyond.
   Fiber trace_to(const Location& from, Way way, double level) const;
 
 private:

@@ -36,9 +36,9 @@ struct HarmonicField {
   int negative_weights = 0; ///< edges with a negative weight, clamped or not
 };
 
-/// Throws InputError if the matrix is not positive definite, where a factorisation is asked for. Conjugate
+/// Throws InputError if the matrix is not positive definite, where a factorization is asked for. Conjugate
 /// gradients with an incomplete Cholesky factor from 20,000 free vertices on, in practice some O(n^1.33);
-/// below that, one sparse factorisation.
+/// below that, one sparse factorization.
 HarmonicField harmonic_field(const Solid& solid, const Partition& partition, const FieldOptions& options = {},
                              const Progress& progress = {});
 

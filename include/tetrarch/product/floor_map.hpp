@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
-/// The floor of a handlebody, laid conformally into the plane.
+/// The conformal map from the floor of a handlebody into the plane.
 ///
 ///       .------.            .------------.       circular:   the unit disk with round holes
 ///      /  ()  ()\           |  .-.   .-. |       rectangle:  of width 1, with rectangular holes whose sides
@@ -45,8 +45,8 @@ struct FloorOptions {
   std::array<int, 4> corners{-1, -1, -1, -1};
 };
 
-/// Throws InputError if the floor has triangles without area, or the corners are no such. Check `found`: a
-/// mesh may be too coarse for the rectangle. Some sparse factorisations.
+/// Throws InputError if the floor has triangles without area, or if a corner is not on the outer rim. Check
+/// `found`: a mesh may be too coarse for the rectangle. A few sparse factorizations.
 FloorMap floor_map(const Solid& solid, const Partition& partition, const FloorOptions& options = {},
                    const Progress& progress = {});
 

@@ -10,8 +10,8 @@
 ///      |  |  |  |     |        Sides of different holes that nearly coincide share a line, which then has a
 ///      '--'--'--'-----'        small bend in it, since nodes on a hole stay on its side.
 ///
-/// The floor is stretched along u and along v, piecewise linearly but for the bends, so cells are no squares
-/// in (u, v): `stretch` tells how far off they are. Source: Yin, section 3.5, which has no word on how.
+/// The floor is stretched along u and along v, piecewise linearly but for the bends, so cells are not squares
+/// in (u, v): `stretch` measures the difference. Source: Yin, section 3.5, which gives no method.
 
 #include "tetrarch/product/floor_map.hpp"
 

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
-/// A mesh of hexahedra, and how good they are.
+/// A mesh of hexahedra, and their quality.
 ///
 ///        7-------6        Corners 0 to 3 go round the bottom, counterclockwise seen from inside of the
 ///       /|      /|        hexahedron, 4 to 7 lie above them; VTK and MEDIT have the same order. At each
 ///      4-------5 |        corner the scaled Jacobian is the determinant of the unit vectors along the
 ///      | 3-----|-2        three edges: 1 for right angles, 0 or less where the corner is flat or turned
 ///      |/      |/         inside out. That of the hexahedron is the least of the eight and of the one in
-///      0-------1          the middle, where the vectors join the centres of opposite faces.
+///      0-------1          the middle, where the vectors join the centers of opposite faces.
 ///
-/// Source: the Verdict library, which has the middle, too (Stimpson et al., Sandia report SAND2007-1751).
+/// Source: the Verdict library, which uses the middle too (Stimpson et al., Sandia report SAND2007-1751).
 
 #include <array>
 #include <cstddef>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
-/// Hexahedra between floor and ceiling: a grid on the floor, carried up along the fibres.
+/// Hexahedra between floor and ceiling: a grid on the floor, carried up along the fibers.
 ///
-///      ___________       Node (i, j) of the grid follows its fibre and leaves a point at each of the
+///      ___________       Node (i, j) of the grid follows its fiber and leaves a point at each of the
 ///     /__/__/__/ /|      levels k/layers of the height. Cell times layer is a hexahedron.
 ///    /__/__/__/ /|/
 ///    |__|__|__|/|/       Of an exact product with right angles all are cuboids. Where floor or ceiling
@@ -22,7 +22,7 @@
 
 namespace tetrarch::product {
 
-/// A fibre that ended below the level asked for.
+/// A fiber that ended below the requested level.
 struct StuckNode {
   int node = 0;  ///< of the grid, or of the polycube's hexahedra
   int level = 0; ///< the first that it did not reach; of a polycube, 0: stuck in the cubes, 1: in the solid
@@ -43,11 +43,11 @@ struct HexOptions {
   int threads = 1;
 };
 
-/// Fibres start from `start`, one point of the floor for each node of the grid. Points are numbered by
-/// levels, from below, then by nodes; hexahedra by layers, then by cells. A fibre that is stuck leaves out
-/// the hexahedra beside it from that level on, and all others stand. The same whatever the number of threads.
-/// Throws PreconditionError if there are no layers, or not one start for each node. O(n^1.33) for n
-/// tetrahedra and as many nodes.
+/// Fibers start from `start`, one point of the floor for each node of the grid. Points are numbered by
+/// levels, from below, then by nodes; hexahedra by layers, then by cells. A stuck fiber leaves out the
+/// hexahedra beside it from its level on; all others stay. The same whatever the number of threads. Throws
+/// PreconditionError if there are no layers, or not one start for each node. O(n^1.33) for n tetrahedra and
+/// as many nodes.
 SolidHexahedra hexahedra(const FiberField& field, const FloorGrid& grid, const std::vector<FloorPoint>& start,
                          const HexOptions& options = {}, const Progress& progress = {});
 

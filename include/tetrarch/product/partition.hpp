@@ -33,9 +33,9 @@ struct Partition {
 
 /// The partition whose bases are the triangles of base 0 (floor) and of base 1 (ceiling); all others, -1, are
 /// walls, numbered as above, with the wall through triangle `outer` first if that is not -1. Throws
-/// InputError that says which piece has the wrong topology and names a triangle of it by its vertices
-/// (counted from 0), or what else is wrong: bases that touch or are of different types, walls that are no
-/// cylinders from floor to ceiling, a number of walls that the genus of the boundary forbids. O(n).
+/// InputError that names the piece with the wrong topology and one of its triangles by vertices (counted from
+/// 0), or another fault: bases that touch or are of different types, walls that are no cylinders from floor
+/// to ceiling, a number of walls that the genus of the boundary forbids. O(n).
 Partition partition(const Solid& solid, const std::vector<int>& base, int outer = -1);
 
 /// Of each vertex of the mesh, which base it is on: floor_patch, ceiling_patch or -1. O(n).

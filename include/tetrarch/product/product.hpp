@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
-/// Direct product parameterisation: coordinates (u, v, w) of a handlebody in (a disk with holes) x (an
+/// Direct product parameterization: coordinates (u, v, w) of a handlebody in (a disk with holes) x (an
 /// interval).
 ///
-///        solid                     domain            (u, v): conformal on the floor, constant along fibres.
+///        solid                     domain            (u, v): conformal on the floor, constant along fibers.
 ///       .-------.                 .--------.         w: harmonic. Orthogonal to u and v, if the mesh is fine
 ///      /  ,-.  / \     ----->    /  ,-.   /|         enough; u to v on the floor, elsewhere only where the
 ///     |  '-'  |  |              /--------/ |         solid is a product itself.
@@ -22,16 +22,16 @@
 
 namespace tetrarch::product {
 
-/// Ready to be solved for.
+/// A solid that is prepared for the field.
 struct Prepared {
   Solid solid;
   Partition partition;
   int splits = 0;
 };
 
-/// Splits, in the middle, all edges between two vertices of the same base that are not on this base: where
-/// all vertices of a tetrahedron are on one base, no field could rise. Old vertices keep their numbers.
-/// O(n log n).
+/// Splits, in the middle, all edges that join two vertices of the same base but are not on this base. Without
+/// this, a tetrahedron with all vertices on one base would leave the field no room to rise. Old vertices keep
+/// their numbers. O(n log n).
 Prepared prepared(Solid solid, Partition partition);
 
 /// The height that keeps the floor's aspect ratio: h d' / d for walls of mean height h, and a floor whose rim
@@ -39,7 +39,7 @@ Prepared prepared(Solid solid, Partition partition);
 /// has d / d'.) O(n + (length of the rim)^2).
 double natural_height(const Solid& solid, const Partition& partition, const FloorMap& floor);
 
-/// A fibre that did not arrive.
+/// A fiber that failed to reach the floor.
 struct StuckFiber {
   int vertex = 0; ///< where it started
   FiberEnd end = FiberEnd::stuck;
@@ -49,10 +49,10 @@ struct StuckFiber {
 struct Coordinates {
   std::vector<Point> uvw; ///< of each vertex; of stuck ones, u and v are means of those around
   std::vector<StuckFiber> stuck;
-  int by_gradient = 0; ///< fibres for which smoothed vectors led nowhere, so that the gradient was followed
+  int by_gradient = 0; ///< fibers for which smoothed vectors led nowhere, so that the gradient was followed
 };
 
-/// Traces a fibre from each vertex down to the floor. The same whatever the number of threads. O(n^1.33).
+/// Traces a fiber from each vertex down to the floor. The same whatever the number of threads. O(n^1.33).
 Coordinates coordinates(const FiberField& field, const FloorMap& floor, int threads = 1,
                         const Progress& progress = {});
 
@@ -68,13 +68,14 @@ struct Quality {
 /// O(n).
 Quality quality(const Solid& solid, const std::vector<Point>& uvw);
 
-/// Each vertex's coordinates confirmed by the opposite way: from where its fibre met the floor, up to its w.
+/// Confirmation of the coordinates by the way back: from the point where the fiber of a vertex meets the
+/// floor, up to the w of the vertex.
 struct Confirmation {
   double mean_distance = 0; ///< between the vertex and the point found, in terms of the mean edge length
   double max_distance = 0;
   int worst = -1;      ///< a vertex at the greatest distance
   int off = 0;         ///< vertices farther than one mean edge
-  int not_arrived = 0; ///< fibres that ended before
+  int not_arrived = 0; ///< fibers that ended before
 };
 Confirmation confirm(const FiberField& field, int threads = 1, const Progress& progress = {});
 

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
-/// Hexahedra made better by moving their points, one after the other.
+/// Improving hexahedra by moving their points, one after the other.
 ///
 ///      .-----.-----.     The worst of the hexahedra around a point is to be as good as can be. A
-///      |     |     |     point goes to the middle of its neighbours, or half the way, if this worst
+///      |     |     |     point goes to the middle of its neighbors, or half the way, if this worst
 ///      |    x--->. |     becomes better there; else, if it is bad, a search in 14 directions with
 ///      .---- \ ----.     smaller and smaller steps finds a better place, if any is near. At first,
 ///      |     |     |     where hexahedra are bad, it is the sum of what is lacking around a point that
 ///      '-----'-----'     is to become less, and none may become worse than the worst of all.
 ///
-/// So the least scaled Jacobian of the mesh never falls, and what is not tangled stays so.
+/// So the least scaled Jacobian of the mesh never falls, and a mesh without inverted hexahedra keeps none.
 ///
 /// Source: Freitag and Plassmann, "Local optimization-based simplicial mesh untangling and improvement"
 /// (2000), for tetrahedra.
@@ -24,7 +24,7 @@ namespace tetrarch::product {
 
 struct SmoothOptions {
   int most_sweeps = 30;      ///< over all points
-  double search_below = 0.5; ///< points whose worst hexahedron is below are searched around
+  double search_below = 0.5; ///< search around points whose worst hexahedron is below
   double least_gain = 1e-4;  ///< of the worst around a point, for which the point is moved
 };
 

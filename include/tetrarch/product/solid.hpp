@@ -39,8 +39,8 @@ struct Solid {
   }
 };
 
-/// Throws InputError, naming the tetrahedron (counted from 0) or saying what the boundary is, unless the mesh
-/// is as promised. Volumes are decided exactly. Linear but for sorting faces.
+/// Throws InputError with the tetrahedron (counted from 0) or a description of the boundary, unless the mesh
+/// keeps the promise. Signs of volumes are exact. Linear but for sorting faces.
 Solid solid(mesh::TetMesh mesh);
 
 /// The genus of the boundary: how many handles the solid has, if it is a handlebody.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
-/// What is to be seen in hyperbolic space, before a model is chosen: one body, and many copies of it.
+/// A picture in hyperbolic space, before the choice of a model: one body, and many copies of it.
 ///
 /// A body is made of *patches* (convex polygons of a plane or of a horosphere) and *arcs* (pieces of
 /// geodesics or of horocycles). A fundamental domain becomes a body with eight patches for each tetrahedron,
@@ -23,7 +23,7 @@ using Matrix4 = embed::Matrix4<double>;
 struct Patch {
   enum class Kind : std::uint8_t { face, boundary, cusp };
   Kind kind = Kind::face;
-  std::vector<Vector4> corners; ///< counter-clockwise from outside
+  std::vector<Vector4> corners; ///< counterclockwise from outside
   /// Per side, from corner k to corner k+1: the horosphere in which it is a horocycle, or 0 for a geodesic.
   std::vector<Vector4> cusps;
   Vector4 normal{}; ///< outward, of the plane; of a cusp's patch the horosphere's vector
@@ -42,7 +42,7 @@ struct Arc {
   bool inner = false; ///< drawn by another tetrahedron of the same copy too
 };
 
-/// How a body wants to be looked at.
+/// Preferences for looking at a body.
 enum class View : std::uint8_t { space, vertical, horizontal };
 
 struct Body {
@@ -50,7 +50,7 @@ struct Body {
   View view = View::space;
   std::vector<Patch> patches;
   std::vector<Arc> arcs;
-  std::vector<int> parent;     ///< the tree along which the tetrahedra (or triangles) hang together; -1: root
+  std::vector<int> parent;     ///< the tree that joins the tetrahedra (or triangles); -1: root
   std::vector<Vector4> middle; ///< of each tetrahedron (or triangle)
   Matrix4 half_space{};        ///< comes before the half space model; the ball models show the body as it is
   std::vector<Matrix4> copies; ///< the first is the identity
@@ -60,7 +60,7 @@ struct Body {
 /// The domain and its copies.
 Body body_of(const Triangulation& tri, const Skeleton& skeleton, const embed::Domain<double>& domain,
              const embed::Piece& piece);
-/// Leaves `count` copies, those whose base points are nearest to the first one's, nearest first.
+/// Keeps the `count` copies whose base points are nearest to that of the first copy, nearest first.
 void keep_nearest(Body& body, std::size_t count);
 
 /// A boundary component and its copies (a piece of the lift's group).

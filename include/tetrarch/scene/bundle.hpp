@@ -3,9 +3,9 @@
 
 /// Circle bundles to look at: the surface with its cut, the solid tori over its covering disks, the bands.
 ///
-/// The total space of a closed surface does not fit into space; cut open over its covering disks it does,
-/// each a solid torus: the disk, laid flat, goes round an axis once, N stops on the way. On its boundary lie
-/// the bands to be glued, whose cycles have the colours of the cycles they are glued to: fibre edges grey,
+/// The total space over a closed surface does not fit into space. Cut open over the covering disks it does,
+/// as solid tori: each disk, laid flat, goes round an axis once, with N stops on the way. On its boundary lie
+/// the bands to be glued, whose cycles have the colors of the cycles they are glued to: fiber edges gray,
 /// base edges of the first bank red and its diagonals blue, and the same on the other bank under the gluing
 /// map. Source: Yin, figures 5.1, 6.3, 6.4, 7.2 to 7.6.
 
@@ -16,16 +16,17 @@
 namespace tetrarch::scene {
 
 /// The tetrahedra in space, solid torus beside solid torus, as cells with the data `triangle` (of the refined
-/// surface), `origin` (of the surface as it was), `level`, `disk`, and the texture coordinates (x, y) of the
-/// disk laid flat in the unit disk and w = level / N. With less than three levels the solid tori are flat.
-/// O(tetrahedra) and one factorisation for each disk.
+/// surface), `origin` (of the original surface), `level`, `disk`, and the texture coordinates (x, y) of the
+/// disk laid flat in the unit disk and w = level / N. With fewer than three levels the solid tori are flat.
+/// O(tetrahedra) and one factorization for each disk.
 Scene solid_tori(const bundle::Plan& plan, const bundle::CircleBundle& bundle);
 
 /// The boundary of the solid tori: a surface for each band, its cycles as tubes.
 Scene gluable_tori(const bundle::Plan& plan);
 
-/// The surface with the curves of its cut as tubes of different colours. `index`, if not empty, is a number
-/// for each triangle, those that are not 0 stand out. The surface must have points: `PreconditionError`.
+/// The surface with the curves of its cut as tubes of different colors. `index`, if not empty, has a number
+/// for each triangle; triangles whose number is not 0 stand out. The surface must have points:
+/// `PreconditionError`.
 Scene cut_surface(const bundle::Plan& plan, const std::vector<int>& index = {});
 
 /// The bands laid flat, pair by pair from above, i to the right and j upwards; one base path of each first

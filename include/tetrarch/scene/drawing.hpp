@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
-/// What is to be seen in the plane: circles and outlines, written as SVG.
+/// A picture in the plane: circles and outlines, written as SVG.
 
 #include "tetrarch/scene/scene.hpp"
 
@@ -11,7 +11,7 @@
 
 namespace tetrarch::scene {
 
-/// How something is drawn; `fill` and `stroke` may each be absent.
+/// The style of an element; `fill` and `stroke` may each be absent.
 struct Ink {
   std::optional<Color> fill;
   std::optional<Color> stroke;
@@ -35,7 +35,7 @@ struct Outline {
 /// Painted in the order: circles, outlines; each list from its beginning. y points upwards.
 struct Drawing {
   std::string title;
-  /// What is shown; the rest is cut off.
+  /// The window; everything outside it is cut off.
   std::array<double, 2> lower{-1, -1};
   std::array<double, 2> upper{1, 1};
   std::vector<Circle> circles;
@@ -43,11 +43,11 @@ struct Drawing {
 };
 
 /// One SVG document, `width` pixels wide, with a title. Numbers have as many digits as a hundredth of a pixel
-/// needs; what lies outside what is shown, or is smaller than a tenth of a pixel, is left out. A circle some
-/// ten times larger than the window becomes a polygon near it, within a fiftieth of a pixel, since browsers,
-/// which draw in single precision, would misplace it; so circles that are nearly lines may be given as they
-/// are. O(size). Throws PreconditionError for a window without area, a width that is not positive, a negative
-/// radius or width of a stroke, and what is not finite.
+/// needs; elements outside the window, or smaller than a tenth of a pixel, are left out. A circle more than
+/// about ten times larger than the window becomes a polygon near the window, to within a fiftieth of a pixel,
+/// because browsers draw in single precision and would misplace it. So callers may pass circles that are
+/// nearly lines. O(size). Throws PreconditionError for a window without area, a width that is not positive, a
+/// negative radius or stroke width, and numbers that are not finite.
 std::string write_svg(const Drawing& drawing, int width = 800);
 
 } // namespace tetrarch::scene

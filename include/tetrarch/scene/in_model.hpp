@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
-/// A body in one of the models: cut so finely that no chord is further than a given error from what it stands
-/// for. Neighbouring pieces meet without cracks, as a side is cut by what its ends say alone.
+/// A body in one of the models, cut so finely that no chord is farther than a given error from its curve or
+/// surface. Neighboring pieces meet without cracks, because the ends of a side alone decide its cuts.
 
 #include "tetrarch/core/progress.hpp"
 #include "tetrarch/embed/model.hpp"
@@ -17,7 +17,7 @@ struct ModelOptions {
   double chord_error = 0.01;  ///< in the model's units
   double tube_radius = 0.015; ///< hyperbolic; 0: no tubes
   bool inner = true;          ///< also faces inside a copy
-  /// What faces are coloured by; truncations have their component's colour, paler in farther copies.
+  /// The property that colors faces; truncations have their component's color, paler in farther copies.
   enum class Colors : std::uint8_t { tetrahedron, face, word_length };
   Colors colors = Colors::tetrahedron;
 };
@@ -34,7 +34,7 @@ double extent(const Body& body, embed::Model model);
 /// it has sides for a tiny one. Throws PreconditionError for a chord error or radius that is not positive.
 Scene in_model(const Body& body, const ModelOptions& options, const Progress& progress = {});
 
-/// Memory that `in_model` and a file of its result take together, from some copies spread over all: right to
+/// Memory that `in_model` and a file of its result take together, estimated from a sample of copies to within
 /// a factor of two. O(1) copies.
 double scene_bytes(const Body& body, const ModelOptions& options);
 
@@ -42,9 +42,9 @@ double scene_bytes(const Body& body, const ModelOptions& options);
 /// one in the plane z = 1 of the half space.
 Drawing drawing_of(const Body& body, const ModelOptions& options);
 
-/// The circles at infinity of all lifts of the geodesic boundary that the copies touch, each once, coloured
-/// by component: what they leave uncovered in the limit is the limit set. In the plane at infinity of the
-/// half space.
+/// The circles at infinity of all lifts of the geodesic boundary that the copies touch, each once, colored by
+/// component: the part that they leave uncovered in the limit is the limit set. In the plane at infinity of
+/// the half space.
 Drawing circles_at_infinity(const Body& body);
 
 } // namespace tetrarch::scene

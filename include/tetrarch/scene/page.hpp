@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
-/// Self-contained pages to look at and turn around: a viewer (tools/viewer, bundled when the program was
-/// built) with what it shows in it.
+/// Self-contained pages to look at and turn around: a viewer (tools/viewer, bundled at build time) together
+/// with its content.
 ///
 ///     Page          bodies in R^{3,1}, which the page bends into whatever model is chosen
 ///     TexturePage   a surface beside its image in a domain, both with the same pattern:
@@ -13,7 +13,7 @@
 ///                      \_# # #__#_/     | # # # # # |    of whatever size
 ///                        surface           domain
 ///
-///                   or the boundary of a solid beside that of its domain, with fibres, a field, and patches
+///                   or the boundary of a solid beside that of its domain, with fibers, a field, and patches
 
 #include "tetrarch/scene/body.hpp"
 #include "tetrarch/scene/scene.hpp"
@@ -40,10 +40,10 @@ struct Page {
 };
 
 /// Of each scene the first surface is shown, which must have texture coordinates, and the tubes as lines of
-/// the colours of their polylines; those with data `loop` are told apart by it, others by their number, but
-/// those with data `fiber` not at all. A domain all of whose points have the same z is looked at from above.
-/// Where a surface has a field at points, the first can be shown with level lines; where it has data `patch`,
-/// each patch in the colour of its first triangle, as floor, ceiling, wall 0, ...
+/// the colors of their polylines; data `loop` distinguishes them, or else their number; those with data
+/// `fiber` are not distinguished. A domain all of whose points have the same z is looked at from above. Where
+/// a surface has a field at points, the first can be shown with level lines; where it has data `patch`, each
+/// patch in the color of its first triangle, as floor, ceiling, wall 0, ...
 struct TexturePage {
   std::string title;
   std::vector<InfoTable> tables;
@@ -59,16 +59,17 @@ struct TexturePage {
 /// ball alike.
 std::string page_data(const Page& page);
 
-/// Likewise: version 1 of "tetrarch texture". Each scene is moved and scaled into the unit ball, and has the
-/// triangles, texture coordinates, field and patches only where they differ from the surface's. O(size).
-/// Throws PreconditionError for scenes that break their rules (scene.hpp), or have no surface with textures.
+/// The same for texture pages: version 1 of "tetrarch texture". Each scene is moved and scaled into the unit
+/// ball, and has the triangles, texture coordinates, field and patches only where they differ from the
+/// surface's. O(size). Throws PreconditionError for scenes that break their rules (scene.hpp), or have no
+/// surface with textures.
 std::string page_data(const TexturePage& page);
 
-/// The page, or nothing where the viewer is missing: see `viewer_missing_reason`.
+/// The page, or nothing if the viewer is missing: see `viewer_missing_reason`.
 std::string write_page(const Page& page);
 std::string write_page(const TexturePage& page);
 
-/// The bundled viewers; empty where the program was built without them, and then why, as a sentence.
+/// The bundled viewers, empty if the program was built without them; and a sentence that gives the reason.
 std::string_view viewer_page();
 std::string_view texture_viewer_page();
 std::string_view viewer_missing_reason();

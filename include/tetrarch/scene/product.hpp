@@ -5,12 +5,12 @@
 ///
 ///        solid                  domain             Tetrahedra for programs (.vtu), the boundary for the eye:
 ///       .-------.              .--------.          its texture coordinates are (u, v), so that patterns run
-///      /  ,-.  / \            /  ,-.   /|          up the walls along the fibres; its colours are those of
+///      /  ,-.  / \            /  ,-.   /|          up the walls along the fibers; its colors are those of
 ///     |  '-'  |  |           /--------/ |          the patches, floor, ceiling, walls; field w at points.
 ///      \_____/|_/            |________|/
 ///
-/// `uvw` is of each vertex of the solid, all finite, everywhere here; other lengths throw PreconditionError.
-/// Everything is O(n), but for `outer_edges`: O(n log n).
+/// `uvw` has a finite entry for each vertex of the solid in every function here; other lengths throw
+/// PreconditionError. Everything is O(n), but for `outer_edges`: O(n log n).
 
 #include "tetrarch/product/partition.hpp"
 #include "tetrarch/scene/scene.hpp"
@@ -25,7 +25,7 @@ Cells product_cells(const product::Solid& solid, const std::vector<Point>& uvw);
 /// The same tetrahedra at (u, v, w).
 Cells domain_cells(const product::Solid& solid, const std::vector<Point>& uvw);
 
-/// The boundary with its patches, as colours and as data `patch`: 0 floor, 1 ceiling, 2.. walls. Triangles
+/// The boundary with its patches, as colors and as data `patch`: 0 floor, 1 ceiling, 2.. walls. Triangles
 /// and points are those of the solid's boundary.
 Surface boundary_surface(const product::Solid& solid, const product::Partition& partition,
                          const std::vector<Point>& uvw);
@@ -33,7 +33,7 @@ Surface boundary_surface(const product::Solid& solid, const product::Partition& 
 Surface domain_surface(const product::Solid& solid, const product::Partition& partition,
                        const std::vector<Point>& uvw);
 
-/// Fibres, in space or in the domain: each a polygon of at least two points. Data `fiber`, their number.
+/// Fibers, in space or in the domain: each a polygon of at least two points. Data `fiber`, their number.
 Tubes fibers(const std::vector<std::vector<Point>>& paths);
 
 struct HexahedraData {

@@ -14,7 +14,7 @@ namespace tetrarch::scene {
 std::string quads_obj(const slit::QuadMesh& mesh);
 
 /// The surface, each quad as two triangles, under its lines as tubes: horizontal, vertical and boundary, in
-/// three colours. O(n log n).
+/// three colors. O(n log n).
 Scene quad_scene(const slit::QuadMesh& mesh);
 
 } // namespace tetrarch::scene

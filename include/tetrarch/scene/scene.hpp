@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
-/// What is to be seen, said once and neutrally: surfaces, tubes, solid cells, labels.
+/// A neutral description of a picture: surfaces, tubes, solid cells, labels.
 ///
 ///     Surface   triangles on shared points      a face, a boundary, a mesh with texture coordinates
-///     Tubes     polylines with a radius         edges, fibres, axes
+///     Tubes     polylines with a radius         edges, fibers, axes
 ///     Cells     tetrahedra and hexahedra        a mesh of a solid, with data on every cell
 ///     Label     a word at a point
 ///
-/// Every front end describes itself to this, and every writer (files.hpp) understands all of it, so that a
-/// new front end needs no new writer and a new file format no new front end. Coordinates are Euclidean and
-/// right-handed, z upwards, without a unit; things of hyperbolic space are put into a model first
-/// (hyperbolic.hpp). Indices count from 0 within their own element and are the describer's responsibility:
-/// writers throw PreconditionError for one out of range, lists of lengths that do not fit, numbers that are
-/// not finite, and normals that are no unit vectors (to a thousandth).
+/// Every front end describes its content in these terms, and every writer (files.hpp) understands all of
+/// them. So a new front end needs no new writer, and a new file format needs no new front end. Coordinates
+/// are Euclidean and right-handed, z upwards, without a unit; a model comes first for hyperbolic space
+/// (in_model.hpp). Indices count from 0 within their own element. Writers throw PreconditionError for an
+/// index out of range, lists of lengths that do not fit, numbers that are not finite, and normals that are
+/// not unit vectors (to a thousandth).
 
 #include <array>
 #include <cstdint>
@@ -24,7 +24,7 @@ namespace tetrarch::scene {
 
 using Point = std::array<double, 3>;
 
-/// As screens and painting programs count (sRGB).
+/// In sRGB, as screens and painting programs count.
 struct Color {
   std::uint8_t red = 200;
   std::uint8_t green = 200;
@@ -43,7 +43,8 @@ struct Data {
 
 /// A real number on every triangle or cell, or at every point: an error, a potential, an angle.
 struct Field {
-  /// Like those of data, and none of theirs; at points not x, y, z, nx, ny, nz, radius, texture either.
+  /// As for data, and different from the names of data; at points also not x, y, z, nx, ny, nz, radius,
+  /// texture.
   std::string name;
   std::vector<double> values; ///< finite
 };
@@ -53,7 +54,7 @@ struct Surface {
   std::vector<Point> points;
   std::vector<Point> normals;                  ///< none, or a unit vector per point
   std::vector<std::array<double, 2>> textures; ///< none, or (u, v) per point, v upwards
-  std::vector<std::array<int, 3>> triangles;   ///< counter-clockwise from outside
+  std::vector<std::array<int, 3>> triangles;   ///< counterclockwise from outside
   std::vector<Color> colors;                   ///< one per triangle, or one for all, or none
   std::vector<Data> data;                      ///< per triangle
   std::vector<Field> cell_fields{};            ///< per triangle
@@ -74,7 +75,7 @@ struct Cells {
   std::string name;
   std::vector<Point> points;
   std::vector<std::array<int, 4>> tetrahedra;  ///< of either orientation
-  std::vector<std::array<int, 8>> hexahedra;   ///< bottom counter-clockwise from above, then top likewise
+  std::vector<std::array<int, 8>> hexahedra;   ///< bottom counterclockwise from above, then top likewise
   std::vector<std::array<double, 3>> textures; ///< none, or (u, v, w) per point
   std::vector<Data> data;                      ///< per cell: the tetrahedra, then the hexahedra
   std::vector<Field> cell_fields{};            ///< likewise
@@ -86,7 +87,7 @@ struct Label {
   std::string text;
 };
 
-/// All that is to be seen.
+/// The whole picture.
 struct Scene {
   std::string title;
   std::vector<Surface> surfaces;

@@ -10,9 +10,9 @@
 ///      |   '-'     '-'   |              | '--'  |                                height / modulus)
 ///      '-----------------'              '-------'
 ///
-/// A vertex on the seam of the rectangle has two places there, one of them a little outside of the square
-/// perhaps, as triangles lie whole; pictures that repeat show nothing of it. Every loop has its colour.
-/// Everything here is O(n).
+/// A vertex on the seam of the rectangle has two places there. One place may lie a little outside the square,
+/// because triangles lie whole; repeating pictures hide this. Every loop has its color. Everything here is
+/// O(n).
 
 #include "tetrarch/scene/drawing.hpp"
 #include "tetrarch/scene/scene.hpp"
@@ -57,11 +57,11 @@ struct Fields {
 };
 Scene textured_surface(const mesh::TriangleMesh& mesh, const Layout& layout, const Fields& fields = {});
 
-/// The surface as OBJ with texture coordinates for each corner: its vertices and triangles are all there in
-/// their order and no others, so that texture coordinates alone are doubled on the seam.
+/// The surface as OBJ with texture coordinates for each corner: exactly its vertices and triangles, in their
+/// order, so that the seam doubles texture coordinates only.
 std::string textured_obj(const mesh::TriangleMesh& mesh, const Layout& layout);
 
-/// The triangulation thin, loops thick and coloured.
+/// The triangulation thin, loops thick and colored.
 Drawing slit_drawing(const mesh::TriangleMesh& mesh, const Layout& layout);
 
 } // namespace tetrarch::scene

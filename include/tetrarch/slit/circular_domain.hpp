@@ -13,10 +13,10 @@
 ///
 /// Only curves are mapped: each by N samples at equal steps of a parameter t in which it is smooth. On
 /// circles t is the angle; on a slit the angle is middle + half cos t, with t from 0 to pi on the bank
-/// towards the origin, so that the opened slit is run through counterclockwise.
+/// toward the origin, so that the opened slit is run through counterclockwise.
 ///
 /// Circular domains are unique up to Moebius maps. Here the outer circle is the unit circle, the inner one
-/// has its centre at 0, and the circle of the first slit its centre on the positive real axis. Source: Yin,
+/// has its center at 0, and the circle of the first slit its center on the positive real axis. Source: Yin,
 /// section 2.3.3, for the openings; Koebe's iteration for the rest.
 
 #include <complex>
@@ -55,7 +55,7 @@ struct CircularDomain {
   std::vector<Curves> stages;
   int rounds = 0;
   double circularity = 0; ///< the greatest
-  /// What the samples leave unresolved of the curves, relative: see `Periodic`.
+  /// The part of the curves that the samples leave unresolved, relative: see `Periodic`.
   double unresolved = 0;
   bool found = false; ///< whether circularity and unresolved are below `tolerance`
 };
@@ -67,9 +67,9 @@ struct CircularOptions {
   int most_samples = 2048; ///< doubled up to here while curves are not resolved
 };
 
-/// Throws PreconditionError unless 0 < inner < radius < 1 for all slits, of positive length; whether slits
-/// touch is not looked at. Where the iteration does not converge, `found` is false and the curves are what
-/// was reached. For n curves of N samples: O(n^2 N^2) a round, about 5 to 10 rounds.
+/// Throws PreconditionError unless 0 < inner < radius < 1 and the length is positive for all slits; there is
+/// no check whether slits touch. If the iteration does not converge, `found` is false and the curves are
+/// those of the last round. For n curves of N samples: O(n^2 N^2) a round, about 5 to 10 rounds.
 CircularDomain circular_domain(const SlitRing& ring, const CircularOptions& options = {});
 
 /// Curve k at any parameter. O(N log N) once, then O(1) each.

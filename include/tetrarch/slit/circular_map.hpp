@@ -3,9 +3,9 @@
 
 /// The circular slit map: a sphere with holes, laid into the unit disk so that every loop is a circle.
 ///
-/// The slit map's ring goes to its circular domain, loops only; where each vertex of a loop lies on its
-/// circle is known from there. Everything inside is the harmonic extension, so nothing that is wrong near the
-/// end of a slit, where square roots enlarge it, spreads. Source: Yin, section 2.3.3.
+/// The ring of the slit map goes to its circular domain, loops only; this gives the place of each vertex of a
+/// loop on its circle. The rest is the harmonic extension, so errors near the end of a slit, where square
+/// roots enlarge them, do not spread. Source: Yin, section 2.3.3.
 
 #include "tetrarch/slit/circular_domain.hpp"
 #include "tetrarch/slit/slit_map.hpp"
@@ -19,8 +19,8 @@ struct CircularMap {
   std::vector<std::complex<double>> position; ///< of each vertex
 };
 
-/// The ring with slits that a slit map leads to. Throws InputError, naming the loop, where rounding leaves a
-/// slit no place inside of it or closes it.
+/// The ring with slits that a slit map leads to. Throws InputError with the loop if rounding leaves a slit no
+/// place inside the ring or closes it.
 SlitRing slit_ring(const SlitMap& map);
 
 /// Two right-hand sides more for the factored Laplacian, and `circular_domain`. Check `domain.found`. Throws
@@ -30,15 +30,15 @@ CircularMap circular_map(const OneForms& forms, const SlitMap& map, const Circul
 /// The case of one loop: Riemann's map of a disk, in which vertex `center` goes to 0 and the first vertex of
 /// the loop to 1. Green's function with its pole at `center` tells how the boundary goes round; near the pole
 /// itself, where it is rough, it is not used. Throws InputError unless the mesh is an oriented disk with
-/// vertex `center` inside. One sparse factorisation, three right-hand sides.
+/// vertex `center` inside. One sparse factorization, three right-hand sides.
 CircularMap disk_map(const mesh::TriangleMesh& mesh, int center);
 
 /// A vertex with as many edges between it and the boundary as any; -1 if all vertices are on the boundary.
 /// O(n).
 [[nodiscard]] int innermost_vertex(const mesh::TriangleMesh& mesh);
 
-/// Where the vertices lie after so many slits were opened: stage 0 is the ring, the last one the domain of
-/// `circular_map` before its circles are made round.
+/// The places of the vertices after this many slits were opened: stage 0 is the ring, the last one the domain
+/// of `circular_map` before its circles are made round.
 std::vector<std::complex<double>> opening_stage(const OneForms& forms, const SlitMap& map,
                                                 const CircularMap& circular, std::size_t stage);
 

@@ -11,7 +11,7 @@
 ///                  the same integral of its wedge product with every eta(j) and tau(j).
 ///
 /// On this basis the wedge system gives the same b, and an a that is 0 for two loops; for more loops it is a
-/// discretisation error, as tau(i) ^ tau(j) has integral 0 on smooth surfaces only. So the first route is
+/// discretization error, as tau(i) ^ tau(j) has integral 0 on smooth surfaces only. So the first route is
 /// used for maps, and the second one tells how far it can be trusted. Source: Yin, section 2.3.1.
 
 #include "tetrarch/slit/one_forms.hpp"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
-/// The harmonic one-forms of a sphere with holes, kept so that every choice of an outer and an inner loop is
-/// cheap.
+/// The harmonic one-forms of a sphere with holes. They are kept, which makes every choice of an outer and an
+/// inner loop cheap.
 ///
 ///      .-----------.      potential(k): harmonic, 1 on loop k, 0 on the others; eta(k) is its differential.
 ///     /  .-.   .-.  \     tau(k): closed and harmonic, tangent to the boundary, with period 1 around loop k
@@ -27,24 +27,24 @@
 
 namespace tetrarch::slit {
 
-/// On which triangles functions are linear: those of the mesh, or those of its intrinsic Delaunay
-/// triangulation, on which no angles are too obtuse. Both have the same vertices and the same surface.
+/// The triangles on which functions are linear: those of the mesh, or those of its intrinsic Delaunay
+/// triangulation, whose angles are not too obtuse. Both have the same vertices and the same surface.
 enum class Edges : std::uint8_t { own, intrinsic_delaunay };
 
 class OneForms {
 public:
   /// Throws InputError unless the mesh is an oriented sphere with at least two holes, or where triangles are
-  /// too thin (`mesh::half_cotangents`). For n + 1 loops: two sparse factorisations with one analysis (the
+  /// too thin (`mesh::half_cotangents`). For n + 1 loops: two sparse factorizations with one analysis (the
   /// lags are held at one vertex, the potentials on all loops) and n right-hand sides for either. One
-  /// factorisation with the loops eliminated last would serve both, but counting operations it is dearer.
+  /// factorization with the loops eliminated last would serve both, but counting operations it is dearer.
   explicit OneForms(mesh::TriangleMesh mesh, const Progress& progress = {}, Edges edges = Edges::own);
 
   const mesh::TriangleMesh& mesh() const { return mesh_; }
   const std::vector<mesh::BoundaryLoop>& loops() const { return loops_; }
   int loop_count() const { return static_cast<int>(loops_.size()); }
   /// The triangles on which the functions are linear, and of each of its sides half the cotangent of the
-  /// angle opposite. Everything that has a value for each side of the mesh, as one-forms, is of the mesh's
-  /// own.
+  /// angle opposite. Everything else with a value for each side, such as a one-form, belongs to the sides of
+  /// the mesh.
   const mesh::Surface& solved_on() const { return intrinsic_ ? intrinsic_->surface : mesh_.surface; }
   const std::vector<double>& weight() const { return weight_; }
 
@@ -69,7 +69,7 @@ public:
   /// The harmonic functions with given values at the vertices of the loops; `values[k][v]` is not read where
   /// v is on no loop. The factor for that is kept, so it costs what solving costs, about O(n log n) each.
   mesh::LaplaceSolver::Columns extended(const mesh::LaplaceSolver::Columns& values) const;
-  /// Likewise of one complex function.
+  /// The same for one complex function.
   std::vector<std::complex<double>> extended(const std::vector<std::complex<double>>& values) const;
 
 private:

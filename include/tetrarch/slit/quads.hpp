@@ -29,16 +29,16 @@ struct QuadMesh {
   std::vector<std::array<int, 4>> quads;
   std::vector<double> angles;  ///< of the vertical lines, ascending, less than a full turn in all
   std::vector<double> heights; ///< of the horizontal ones, from 0 to the modulus
-  double thinnest = 1; ///< least distance between neighbouring lines, as a part of the distance wanted
+  double thinnest = 1;         ///< least distance between neighboring lines, as a part of the distance wanted
   /// How far points lie beyond a side of the triangle that they were found in, on the cylinder: by rounding
   /// only, whether triangles are flipped or not, if the map is constant on loops.
   double outside = 0;
 };
 
-/// `around`: how many quads one would like to have on the way round; at least 3, else PreconditionError.
-/// Lines less than 1e-9 apart are one; other lines are kept, however near. Throws InputError where slits are
-/// too short or too near one another for that, and for more than 5e7 quads. For n triangles: O(n), and O(1)
-/// for every crossing point in the bounding box of every triangle.
+/// `around` is the wanted number of quads around the ring; fewer than 3 throw PreconditionError. Lines less
+/// than 1e-9 apart become one; other lines stay, however near. Throws InputError if slits are too short or
+/// too near one another for this, and for more than 5e7 quads. For n triangles: O(n), and O(1) for every
+/// crossing point in the bounding box of every triangle.
 QuadMesh quads(const OneForms& forms, const SlitMap& map, int around);
 
 enum class Line : std::uint8_t { horizontal, vertical, boundary };

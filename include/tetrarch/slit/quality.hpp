@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
-/// How good a slit map is: what it does to each triangle, and how exactly it keeps its promises.
+/// The quality of a slit map: its effect on each triangle, and the residuals of its equations.
 ///
 ///        /\            __      A linear map takes circles to ellipses. The ratio of their axes, 1 for
 ///       /  \    -->   /  \__   conformal maps, is the quasi-conformal error. Where it turns a triangle over,
 ///      /____\        /______\  the triangle is flipped.
 ///
-/// A triangle whose corners lie all on one loop is an *ear*. Slits and circles of cylinders have no room for
-/// it, so it goes flat whatever one does; ears are counted apart and measured by nothing.
+/// A triangle with all corners on one loop is an *ear*. Slits and circles of cylinders have no room for it,
+/// so every map flattens it; ears are counted separately and enter no measure.
 
 #include "tetrarch/slit/slit_map.hpp"
 
@@ -16,7 +16,7 @@
 
 namespace tetrarch::slit {
 
-/// What a map does to the triangles.
+/// The effect of a map on the triangles.
 struct Distortion {
   /// Of each triangle: the ratio of the axes, at least 1; 0 for flipped triangles and ears.
   std::vector<double> quasi_conformal;
@@ -35,14 +35,14 @@ std::vector<char> ears(const OneForms& forms);
 
 /// On the cylinder, and so on the rectangle.
 Distortion distortion_on_cylinder(const OneForms& forms, const SlitMap& map);
-/// On the ring, where edges are drawn straight. Where heights change much within a triangle it is flipped
-/// though it was not on the cylinder. O(n), as all of these.
+/// On the ring, where edges are drawn straight. A triangle whose heights differ much can be inverted here
+/// although it was not on the cylinder. O(n), as all of these.
 Distortion distortion_on_ring(const OneForms& forms, const SlitMap& map);
 /// Of a mesh whose vertices are laid into the plane. There are no ears.
 Distortion distortion_in_plane(const mesh::TriangleMesh& mesh,
                                const std::vector<std::complex<double>>& position);
 
-/// What should be 0.
+/// Residuals, which should be 0.
 struct Residuals {
   double period = 0;   ///< greatest deviation of the periods of the angle from 2 pi, -2 pi or 0
   double flux = 0;     ///< the same of the fluxes of log_radius, by cotangents, through the loops

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
-/// Registration: which point of one surface corresponds to which of another with the same holes.
+/// Registration: the correspondence between the points of two surfaces with equally many holes.
 ///
 ///     A ----------------> B        Each surface has its circular domain, which differ unless the surfaces
 ///     | circular          ^ back   are conformally the same. A's disk is turned to B's; each of its circles
@@ -10,7 +10,8 @@
 ///
 /// So B gets the triangulation of A, and shapes can be averaged point by point. The disk with holes of a mesh
 /// is bounded by polygons: loops are taken to those, and thereby to the loops of B. Harmonic maps into a
-/// domain that is not convex may turn triangles over; that is counted. Source: Yin, section 2.4.2.
+/// domain that is not convex may invert triangles; the inverted triangles are counted. Source: Yin, section
+/// 2.4.2.
 
 #include "tetrarch/slit/circular_map.hpp"
 
@@ -33,7 +34,7 @@ struct RigidMotion {
 };
 
 struct Registration {
-  /// By which angle A's disk was turned first.
+  /// The angle by which A's disk was turned first.
   double turn = 0;
   /// Of each vertex of A: its place in B's disk, on the mesh B, and in space there: B's shape with A's
   /// vertices, and with A's triangles.
@@ -61,16 +62,16 @@ struct Registration {
 };
 
 struct RegistrationOptions {
-  /// Of each loop of A the loop of B that it goes to; empty: the one of the same number.
+  /// For each loop of A the matching loop of B; empty: the loop of the same number.
   std::vector<int> matching;
-  /// Whether B is moved to A, by the rigid motion that makes the mean squared distance least, before both are
-  /// compared; reflections are none. Else `motion` stays the identity.
+  /// Whether B is moved to A before the comparison, by the rigid motion of least mean squared distance,
+  /// reflections excluded. Otherwise `motion` stays the identity.
   bool aligned = true;
   /// Whether vertices are moved in B's disk until no triangle is flipped, as by `unflip_in_disk`.
   bool unflip = false;
 };
 
-/// The turn is the one that brings the centres of circles closest in the mean square. With two loops all
+/// The turn is the one that brings the centers of circles closest in the mean square. With two loops all
 /// turns are conformal; then it is the one by which the loops themselves come closest in space after a rigid
 /// motion, which is a least value: the turn has half the digits.
 ///

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
-/// Discrete Ricci flow: a flat metric with the boundary curvature one asks for, and the map it leads to.
+/// Discrete Ricci flow: a flat metric with prescribed boundary curvature, and the map that unrolls it.
 ///
 ///       u                 A number u(v) at each vertex scales the lengths of its edges; angles follow,
 ///      / \   l e^(u+v)/2  and with them the curvature of each vertex (2 pi less its angles; on the boundary
@@ -12,7 +12,7 @@
 /// Ptolemy's theorem gives it, as if the four points were on a circle. So no triangle inside breaks down, and
 /// what is found depends on the metric and not on the way to it. Boundary edges stay, and where a triangle
 /// there breaks down its angles are taken as 0, 0, pi: the function is convex still, but such a minimum is no
-/// metric. That is seen on loops of few edges, where the mesh is too coarse for what is asked for.
+/// metric. This happens on loops of few edges, if the mesh is too coarse for the prescribed curvature.
 ///
 /// Scaling by Moebius maps of the plane is exact: what is a disk with round holes, or a rectangle, up to such
 /// a map is found up to rounding. Elsewhere maps converge with the mesh. Sources: Luo, "Combinatorial Yamabe
@@ -56,13 +56,13 @@ struct ScaledMetric {
 
 /// Throws InputError where triangles have no area, unless there is a finite number for each vertex, and where
 /// no vertex is held, unless all curvatures add up to 2 pi times the Euler number (a round hole to -2 pi);
-/// PreconditionError unless the mesh is oriented. Whether such a metric exists is not known before: check
-/// `found`. One sparse factorisation a step, in practice less than 10 steps.
+/// PreconditionError unless the mesh is oriented. Such a metric need not exist: check `found`. One sparse
+/// factorization a step, in practice less than 10 steps.
 [[nodiscard]] ScaledMetric scaled_metric(const mesh::TriangleMesh& mesh, const Curvatures& curvatures,
                                          const RicciOptions& options = {}, const Progress& progress = {});
 
-/// A metric unrolled in the plane, triangle by triangle. Where going round a hole or a vertex changes the
-/// place, there are cuts between triangles.
+/// A metric unrolled in the plane, triangle by triangle, with cuts between triangles where a walk around a
+/// hole or a vertex changes the place.
 struct Layout {
   std::vector<std::complex<double>> corner;   ///< corner c of triangle t is at 3 t + c
   std::vector<std::complex<double>> position; ///< of each vertex: that of one of its corners
@@ -72,9 +72,9 @@ struct Layout {
 /// The first side of triangle 0 starts at 0 and runs along the positive real axis. O(n).
 Layout laid_out(const mesh::IntrinsicTriangulation& metric);
 
-/// What going once round a loop, with the surface to the left, does to the plane: it turns by `rotation`, in
-/// (-pi, pi], and moves the vertex from which one started by `translation`, as seen by one who started at 0
-/// along the positive real axis.
+/// The motion of the plane that a walk once around a loop makes, with the surface to the left: a turn by
+/// `rotation`, in (-pi, pi], and a move of the start vertex by `translation`, as seen from a start at 0 along
+/// the positive real axis.
 struct Holonomy {
   double rotation = 0;
   std::complex<double> translation;
@@ -90,13 +90,13 @@ struct RicciCircles {
   double residual = 0;
 };
 
-/// The second route to `circular_map`, with the same loops and normalisation; where there is one loop,
-/// `inner` is -1, and it is to `disk_map` with the `innermost_vertex` as its centre. Throws InputError unless
+/// The second route to `circular_map`, with the same loops and normalization; where there is one loop,
+/// `inner` is -1, and it is to `disk_map` with the `innermost_vertex` as its center. Throws InputError unless
 /// the mesh is an oriented sphere with holes, these are two of its loops, and the outer one has a vertex with
-/// no neighbours on the boundary but the two next to it. Check `map.domain.found`. Cost as above.
+/// no neighbors on the boundary but the two next to it. Check `map.domain.found`. Cost as above.
 ///
-/// A vertex of the outer loop is sent to infinity, so that the loop becomes a straight line: that is convex,
-/// where the curvature of a circle is not. A Moebius map leads back.
+/// A vertex of the outer loop goes to infinity, so that the loop becomes a straight line: the problem is then
+/// convex, which it is not for the curvature of a circle. A Moebius map leads back.
 [[nodiscard]] RicciCircles ricci_circles(const mesh::TriangleMesh& mesh, int outer, int inner,
                                          const RicciOptions& options = {}, const Progress& progress = {});
 
@@ -132,7 +132,7 @@ struct RectangleOptions {
 /// three equations for the four corners of each hole, which are moved along their loops by least steps. One
 /// parameter for each hole is free, so what is found is the solution near the hints; where they are far off,
 /// by half a side, it may not be. Throws InputError unless the mesh is an oriented sphere with holes and each
-/// loop has its four vertices, no two of them neighbours on it. Check `found`. Some 5 rounds, each a metric
+/// loop has its four vertices, no two of them neighbors on it. Check `found`. Some 5 rounds, each a metric
 /// and four more right-hand sides for each hole.
 [[nodiscard]] RicciRectangles ricci_rectangles(const mesh::TriangleMesh& mesh,
                                                const std::vector<std::array<int, 4>>& hints,

@@ -28,12 +28,12 @@
 
 namespace tetrarch::slit {
 
-/// What becomes of a loop that is neither outer nor inner.
+/// The image of a loop that is neither outer nor inner.
 struct Slit {
   int loop = 0;
   double radius = 0; ///< height = -log(radius)
-  /// Angle at which the arc begins, counterclockwise; in [0, 2 pi). Ends lie between vertices: they are found
-  /// from the three next to them, and change by a little of an edge if these do.
+  /// Angle at which the arc begins, counterclockwise; in [0, 2 pi). Ends lie between vertices. The three
+  /// nearest vertices determine an end, and it moves by a small part of an edge if they move.
   double start = 0;
   double end = 0;       ///< above start
   int start_vertex = 0; ///< the vertex of least angle, near the start
@@ -52,9 +52,9 @@ struct SlitMap {
   HolomorphicOneForm form;
   std::vector<Slit> slits; ///< by loop
 
-  /// log(1 / inner radius). It is never above the modulus of the surface, whose triangles are flat, as
-  /// harmonic functions minimise energy; and that one is never above `modulus_bound`, as their conjugates do
-  /// too. The two approach one another at order h^2 on smooth surfaces.
+  /// log(1 / inner radius). It is never above the modulus of the surface, whose triangles are flat, because
+  /// harmonic functions minimize energy. The modulus of the surface is never above `modulus_bound`, because
+  /// their conjugates minimize energy too. The two approach one another at order h^2 on smooth surfaces.
   double modulus = 0;
   double modulus_bound = 0;
 
@@ -75,8 +75,8 @@ struct ParallelDomain {
   std::vector<mesh::Side> seam;
 };
 
-/// Triangles lie whole, where their centroids fall into [0, 2 pi); so the seam runs along edges, no farther
-/// from the line of angle 0 than triangles are wide. O(n).
+/// Each triangle lies whole, with its centroid in [0, 2 pi); so the seam runs along edges, no farther from
+/// the line of angle 0 than one triangle. O(n).
 ParallelDomain parallel_domain(const mesh::Surface& surface, const SlitMap& map);
 
 } // namespace tetrarch::slit

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
-/// Triangles that a map has flipped, set right by moving a few vertices.
+/// Repairing inverted triangles of a map by moving a few vertices.
 ///
 ///       .---.             .---.        A vertex inside goes to where it is as far as can be from all the
 ///      / \ / \   -->     /\ | /\       sides that it must see from the left: a linear program in two
@@ -23,7 +23,7 @@ struct Unflipped {
   int left = 0;        ///< triangles still flipped when the budget of sweeps was used up
 };
 
-/// On the cylinder. Ears stay flat. O(n), and little for each vertex near a flipped triangle.
+/// On the cylinder. Ears stay flat. O(n), and a little time for each vertex near an inverted triangle.
 Unflipped unflip_on_cylinder(const OneForms& forms, SlitMap& map);
 /// On the ring, where edges are straight.
 Unflipped unflip_on_ring(const OneForms& forms, SlitMap& map);
