@@ -96,7 +96,8 @@ void require_letters(const Presentation& presentation) {
     for (const int letter : presentation.relators[r])
       if (letter == 0 || letter > presentation.generators || letter < -presentation.generators)
         throw PreconditionError("letter " + std::to_string(letter) + " of relator " + std::to_string(r) +
-                                " names no generator: there are " + std::to_string(presentation.generators));
+                                " names a generator that does not exist; the number of generators is " +
+                                std::to_string(presentation.generators));
 }
 
 AbelianGroup abelianized(const Presentation& presentation) {

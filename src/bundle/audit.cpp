@@ -26,7 +26,7 @@ std::string incomplete_triangle(const Round& round) {
       sum += round.pattern[s];
       if (round.pattern.is_open(s)) return "completeness" + where + " has an open side";
       if (!disk.is_boundary(s) && round.pattern[disk.mate(s)] != -round.pattern[s])
-        return "consistency" + where + " and its neighbour have equal values on their edge";
+        return "consistency" + where + " and its neighbor have equal values on their edge";
     }
     if (sum == 3 || sum == -3) return "completeness" + where + " has three equal values";
   }

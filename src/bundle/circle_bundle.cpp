@@ -56,7 +56,7 @@ class Assembly {
 public:
   Assembly(Recipe recipe, const Progress& progress) : recipe_(std::move(recipe)), progress_(progress) {
     const long long size = 3LL * recipe_.fiber * recipe_.base.triangle_count();
-    if (recipe_.fiber < 1) throw PreconditionError("a fibre needs at least one edge");
+    if (recipe_.fiber < 1) throw PreconditionError("a fiber needs at least one edge");
     if (size > std::numeric_limits<int>::max())
       throw InputError("too many tetrahedra: " + std::to_string(size));
     const auto sides = static_cast<std::size_t>(recipe_.base.side_count());

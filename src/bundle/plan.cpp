@@ -24,9 +24,9 @@ public:
     plan_.cut = std::move(surface);
     std::fill(plan_.cut.mark.begin(), plan_.cut.mark.end(), 0);
     type_ = mesh::type_of(plan_.cut.surface);
-    if (options_.fiber < 1) throw PreconditionError("a fibre needs at least one edge");
+    if (options_.fiber < 1) throw PreconditionError("a fiber needs at least one edge");
     if (options_.euler && !type_.is_closed())
-      throw PreconditionError("a surface with boundary has no Euler number to choose");
+      throw PreconditionError("a surface with boundary has no Euler number");
     if (options_.boundary && type_.is_closed()) throw PreconditionError("a closed surface has no boundary");
     plan_.euler = type_.is_closed() ? options_.euler.value_or(type_.euler) : 0;
     total_ = plan_.euler * options_.fiber;

@@ -176,7 +176,7 @@ private:
     } while (tet != first && count <= 3 * bundle_.fiber);
     if (count != 3 * bundle_.fiber ||
         passed != std::array<int, 3>{bundle_.fiber, bundle_.fiber, bundle_.fiber})
-      throw Failure{"the tetrahedra" + over(below) + " form no single ring of " +
+      throw Failure{"the tetrahedra" + over(below) + " do not form a single ring of " +
                     std::to_string(bundle_.fiber) + " levels"};
   }
 
@@ -197,7 +197,7 @@ private:
       fibers.direction[e] = 1;
       for (const int v : s.doubled) {
         Ends& here = ends[skeleton_.vertex({t, v})];
-        if (here.count == 2) throw Failure{"a fibre branches" + over(bundle_.triangle(t))};
+        if (here.count == 2) throw Failure{"a fiber branches" + over(bundle_.triangle(t))};
         here.edge[here.count++] = e;
       }
     }
@@ -207,7 +207,7 @@ private:
         const VertexId start = skeleton_.vertex({t, v});
         if (fibers.place[start] >= 0) continue;
         const int below = bundle_.base.corners(bundle_.triangle(t))[corner(t, v)];
-        const std::string name = "the fibre over vertex " + std::to_string(below);
+        const std::string name = "the fiber over vertex " + std::to_string(below);
         if (done[below]) throw Failure{name + " is several circles"};
         done[below] = 1;
         VertexId at = start;

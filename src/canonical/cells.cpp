@@ -159,8 +159,7 @@ std::string Cell::name() const {
 CellDecomposition cell_decomposition(const Triangulation& tri, const Skeleton& skeleton,
                                      const FlatFaces& flat) {
   skeleton.require_current(tri);
-  if (skeleton.has_boundary_faces())
-    throw PreconditionError("a cell decomposition is that of a closed gluing");
+  if (skeleton.has_boundary_faces()) throw PreconditionError("a cell decomposition needs a closed gluing");
   return Coner(tri, skeleton, flat).run();
 }
 

@@ -161,9 +161,9 @@ LinkSet parse_link_set(std::string_view text) {
     int number = 0;
     const auto [stop, error] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
     if (error != std::errc() || stop != digits.data() + digits.size() || number < (crosscaps ? 1 : 0))
-      throw InputError(in_quotes(item) +
-                       " is no vertex link: a genus (0, 1, 2, ...) or nk for k crosscaps (n1, n2, "
-                       "...) was expected");
+      throw InputError(
+          in_quotes(item) +
+          " is no vertex link: expected a genus (0, 1, 2, ...), or nk for k crosscaps (n1, n2, ...)");
     (crosscaps ? set.crosscaps : set.genera).push_back(number);
   }
   return set;

@@ -53,7 +53,7 @@ Json parse(std::string_view text, const std::string& source) {
     return Json::parse(text);
   } catch (const Json::parse_error& e) {
     const auto line = 1 + std::count(text.begin(), text.begin() + std::min(e.byte, text.size()), '\n');
-    throw InputError({source, static_cast<int>(line)}, "this is not JSON, or it ends too early");
+    throw InputError({source, static_cast<int>(line)}, "the text is not JSON, or it ends too early");
   }
 }
 

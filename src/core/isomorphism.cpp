@@ -70,7 +70,7 @@ private:
 
 void require_connected(const Triangulation& tri) {
   if (components(tri).count != 1)
-    throw PreconditionError("isomorphisms are listed of connected triangulations");
+    throw PreconditionError("a list of isomorphisms needs connected triangulations");
 }
 
 } // namespace

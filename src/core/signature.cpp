@@ -349,7 +349,7 @@ std::string_view trimmed(std::string_view text) {
 
 CanonicalLabelling canonical_labelling(const Triangulation& tri) {
   if (tri.size() == 0 || components(tri).count != 1)
-    throw PreconditionError("a canonical labelling is that of a connected triangulation");
+    throw PreconditionError("a canonical labeling needs a connected triangulation");
   return Labeller(tri).run();
 }
 

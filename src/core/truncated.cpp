@@ -12,8 +12,7 @@ TruncatedTriangulation::TruncatedTriangulation(Triangulation tri) : tri_(std::mo
     if (!skeleton_.is_boundary(f)) continue;
     const TetFace where = skeleton_.preimages(f)[0];
     throw PreconditionError("face " + std::to_string(where.face) + " of tetrahedron " +
-                            std::to_string(where.tet) +
-                            " is glued to nothing: every hexagon needs a partner");
+                            std::to_string(where.tet) + " is not glued: every hexagon needs a partner");
   }
 }
 

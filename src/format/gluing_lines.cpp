@@ -7,7 +7,7 @@ void GluingLines::read_one(std::int64_t tetrahedra) {
   const std::string whose = " of tetrahedron " + std::to_string(table_.size());
   std::array<Gluing, 4> faces{};
   std::array<std::string_view, 4> tokens{};
-  const std::string neighbour = "a neighbour" + whose + ", 0 to " + std::to_string(tetrahedra - 1);
+  const std::string neighbour = "a neighbor" + whose + ", 0 to " + std::to_string(tetrahedra - 1);
   for (Gluing& g : faces) g.tet = static_cast<int>(in_.integer(neighbour, 0, tetrahedra - 1));
   const std::string permutation = "a permutation" + whose + ", like 0132";
   for (std::size_t f = 0; f < 4; ++f) {

@@ -56,7 +56,7 @@ Number read_number(const Json& value, const JsonPath& path) {
                                                   : value.get<std::int64_t>() >= -last_exact;
     if (exact) return Number(value.get<double>());
     if (to_text(value.get<double>()) == value.dump()) return Number(value.get<double>());
-    fail_found(path, value, "a string of digits, as a double would lose some");
+    fail_found(path, value, "a string of digits, because a double would lose some");
   }
   if (value.is_string() && is_decimal(value.get_ref<const std::string&>()))
     return Number(value.get<std::string>());

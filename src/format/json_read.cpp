@@ -127,7 +127,7 @@ auto rows(int last, const char* many, const char* one) {
 
 FiberCoordinates read_bundle(Part part) {
   FiberCoordinates bundle;
-  bundle.fiber = read_integer(part.need("fiber"), part.path("fiber"), 1, most, "the edges of a fibre");
+  bundle.fiber = read_integer(part.need("fiber"), part.path("fiber"), 1, most, "the edges of a fiber");
   if (const Json* const euler = part.find("euler_number"); euler != nullptr && !euler->is_null())
     bundle.euler_number = read_integer(*euler, part.path("euler_number"), -most, most, "an integer or null");
   bundle.base_vertices =

@@ -98,7 +98,7 @@ std::optional<std::string> canonical_text(const Document& document) {
 std::optional<std::string> bundle_text(const Document& document) {
   if (!document.bundle) return std::nullopt;
   const FiberCoordinates& bundle = *document.bundle;
-  const SizeCheck sized("fibre coordinates", document.triangulation.size());
+  const SizeCheck sized("fiber coordinates", document.triangulation.size());
   const auto point_text = [](const std::array<double, 3>& point) {
     return row_text(point, [](double x) { return double_text(x); });
   };

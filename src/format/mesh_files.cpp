@@ -107,7 +107,8 @@ Soup read_soup(std::string_view text, const std::string& source) {
   case MeshFormat::gmsh:
     return read_gmsh(text, source);
   case MeshFormat::tetgen:
-    throw InputError(Place{source, 0}, "half a mesh: TetGen's .node and .ele are read together, as files");
+    throw InputError(Place{source, 0},
+                     "this is half a mesh: TetGen's .node and .ele are read together, as files");
   case MeshFormat::vtk:
     return read_vtk(text, source);
   case MeshFormat::vtu:

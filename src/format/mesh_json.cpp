@@ -138,7 +138,7 @@ void require_in_range(const Elements& elements, std::size_t vertices, const char
 std::string field_text(const MeshField& field, const MeshDocument& mesh) {
   if (field.components < 1 || field.components > most_components ||
       field.values.size() != entries(mesh, field.on) * static_cast<std::size_t>(field.components))
-    throw PreconditionError("the field '" + field.name + "' does not fit to the " + name_of(field.on));
+    throw PreconditionError("the field '" + field.name + "' does not fit the " + name_of(field.on));
   const auto components = static_cast<std::size_t>(field.components);
   std::vector<std::string> lines;
   lines.reserve(field.values.size() / components);

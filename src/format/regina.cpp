@@ -120,14 +120,14 @@ private:
       return *value;
     };
     for (Gluing& g : faces) {
-      g.tet = static_cast<int>(next("a neighbour"));
+      g.tet = static_cast<int>(next("a neighbor"));
       const std::int64_t code = next("a permutation");
       if (g.tet < 0) continue;
       const std::optional<Perm4> perm = generation.by_number ? perm_of_number(code) : perm_of_images(code);
       if (!perm) throw InputError(place(node), found_expected(std::to_string(code), "a permutation"));
       g.perm = *perm;
     }
-    if (!in.at_end()) throw InputError(place(node), found_expected(in.peek(), "four neighbours"));
+    if (!in.at_end()) throw InputError(place(node), found_expected(in.peek(), "four neighbors"));
     return faces;
   }
 

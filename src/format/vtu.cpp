@@ -107,7 +107,7 @@ private:
     require_size(types.size(), cells, "types");
     for (int& p : points) {
       if (p > most_elements - first_point)
-        fail("found the point " + std::to_string(p) + ", expected one there is");
+        fail("found the point " + std::to_string(p) + ", which does not exist");
       p += first_point;
     }
     int start = 0;

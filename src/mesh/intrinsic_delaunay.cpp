@@ -111,7 +111,7 @@ IntrinsicTriangulation intrinsic_delaunay(const TriangleMesh& mesh, std::vector<
   out.length.resize(static_cast<std::size_t>(mesh.surface.side_count()));
   for (int k = 0; k < mesh.surface.side_count(); ++k) {
     if (mesh.surface.is_turned(Side(k)))
-      throw PreconditionError("intrinsic Delaunay triangulations are made of oriented surfaces");
+      throw PreconditionError("intrinsic Delaunay triangulations need oriented surfaces");
     out.length[k] = distance(mesh.points[out.surface.from(Side(k))], mesh.points[out.surface.to(Side(k))]);
   }
   Flipper(out, closed).run();

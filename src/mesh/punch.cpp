@@ -67,8 +67,8 @@ std::vector<int> Puncher::around(const RoundHole& hole) const {
   }
   if (!(hole.radius >= least))
     throw InputError("the radius " + format::to_text(hole.radius) + " of the hole at vertex " +
-                     std::to_string(hole.vertex) + " is too small: its neighbours reach out to " +
-                     format::to_text(least));
+                     std::to_string(hole.vertex) +
+                     " is too small: the neighbors of the vertex reach out to " + format::to_text(least));
   for (std::size_t k = 0; k < triangles.size(); ++k)
     for (const Side s : sides_of(triangles[k])) {
       if (surface().is_boundary(s)) continue;

@@ -62,14 +62,14 @@ std::vector<SideEnd> Slicer::way(int from, int to) {
 void Slicer::mark(const std::vector<long long>& path, int m) {
   const bool is_closed = path.size() > 1 && path.front() == path.back();
   if (is_closed && path.size() < 4)
-    throw InputError("the closed path at " + name_of(path.front()) + " names less than three vertices");
+    throw InputError("the closed path at " + name_of(path.front()) + " names fewer than three vertices");
   int edges = 0;
   for (std::size_t k = 0; k + 1 < path.size(); ++k) {
     const std::vector<SideEnd> steps =
         way(vertex_numbered(opened_, path[k]), vertex_numbered(opened_, path[k + 1]));
     if (steps.empty())
-      throw InputError("no way is left from " + name_of(path[k]) + " to " + name_of(path[k + 1]) +
-                       " that touches neither the boundary nor a path");
+      throw InputError("there is no way from " + name_of(path[k]) + " to " + name_of(path[k + 1]) +
+                       " that avoids the boundary and the other paths");
     for (const SideEnd e : steps) {
       set_mark(marked_, e.side, e.at_start ? m : -m);
       is_barred_[marked_.surface.vertex(e)] = 1;
@@ -79,7 +79,7 @@ void Slicer::mark(const std::vector<long long>& path, int m) {
   if (edges < 2)
     throw InputError(path.empty() ? "a path has no vertices"
                                   : "the path at " + name_of(path.front()) +
-                                        " has less than two edges, which do not open");
+                                        " has fewer than two edges and opens nothing");
 }
 
 } // namespace

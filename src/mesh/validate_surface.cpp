@@ -156,9 +156,9 @@ void SurfaceValidator::look_at_orientation(const Surface& surface, const Signs& 
       const Side s = upright_neighbour(t);
       if (s.exists() != has_one) continue;
       add_element(Kind::turned, t, [&] {
-        return has_one ? element(t) + " is turned against its neighbour " +
+        return has_one ? element(t) + " is turned against its neighbor " +
                              std::to_string(number(surface.mate(s).triangle())) + " at " + edge_name(soup_, s)
-                       : element(t) + " is turned, and its neighbours with it";
+                       : element(t) + " is turned, and its neighbors with it";
       });
     }
 }

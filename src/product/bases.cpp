@@ -84,7 +84,7 @@ std::array<int, 2> flatter_annuli(const Solid& solid, const mesh::Parts& parts,
     else
       (beside[0] < 0 ? beside[0] : beside[1]) = k;
   }
-  if (opposite < 0 || beside[1] < 0) throw InputError("the four pieces between the walks make no ring");
+  if (opposite < 0 || beside[1] < 0) throw InputError("the four pieces between the walks do not form a ring");
   const std::vector<Point> areas = vector_areas(solid);
   const auto flat = [&](int k) { return flatness(areas, pieces[k].triangles); };
   return flat(0) + flat(opposite) >= flat(beside[0]) + flat(beside[1]) ? std::array{0, opposite} : beside;
@@ -129,8 +129,8 @@ void flood(const Solid& solid, const std::vector<Point>& areas, int number, cons
   const auto reach = [&](int t) {
     if (base[t] == number || !faces_this_way(t)) return;
     if (base[t] >= 0)
-      throw InputError("floor and ceiling meet when flooded from " + std::to_string(flooding.seeds[0]) +
-                       " and " + std::to_string(flooding.seeds[1]) + "; a smaller threshold may help");
+      throw InputError("floor and ceiling meet after flooding from " + std::to_string(flooding.seeds[0]) +
+                       " and " + std::to_string(flooding.seeds[1]) + "; try a smaller threshold");
     base[t] = number;
     reached.push_back(t);
   };
@@ -247,7 +247,7 @@ std::vector<int> bases_beyond_tunnels(const Solid& solid, const std::vector<std:
       largest[1] = k;
   }
   if (largest[1] < 0)
-    throw InputError("the walls around the tunnels leave no two pieces for floor and ceiling");
+    throw InputError("the walls around the tunnels do not leave two pieces for floor and ceiling");
   std::sort(largest.begin(), largest.end());
   return mended(solid, bases_of(parts, largest));
 }

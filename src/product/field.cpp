@@ -67,8 +67,8 @@ System equations(const std::vector<WeightedEdge>& edges, const std::vector<int>&
 std::vector<double> solve_directly(System& s) {
   mesh::SparseCholesky solver(s.matrix);
   if (!solver.factor(s.matrix))
-    throw InputError("the harmonic field cannot be solved for: rounding leaves no positive definite matrix "
-                     "(are there nearly flat tetrahedra?)");
+    throw InputError("the harmonic field has no solution in double precision: its matrix is not positive "
+                     "definite after rounding (are there nearly flat tetrahedra?)");
   std::vector<double> x(s.right.size());
   solver.solve(s.right, x);
   return x;

@@ -107,7 +107,9 @@ void map_to_circles(FloorMap& floor, const std::vector<BoundaryLoop>& loops,
   slit::CircularMap map;
   if (loops.size() == 1) {
     const int center = slit::innermost_vertex(floor.mesh);
-    if (center < 0) throw InputError("all vertices of the floor are on its rim; its map needs one inside");
+    if (center < 0)
+      throw InputError(
+          "all vertices of the floor are on its rim; the map of the floor needs an interior vertex");
     map = slit::disk_map(floor.mesh, center);
   } else {
     slit::RicciCircles circles =
@@ -135,7 +137,7 @@ std::array<int, 4> given_corners(const FloorMap& floor, const std::array<int, 4>
     const auto at = std::find(floor.vertex.begin(), floor.vertex.end(), corners[c]);
     if (at == floor.vertex.end())
       throw InputError("vertex " + std::to_string(corners[c]) +
-                       " is to be a corner, but is not on the floor");
+                       " is meant as a corner, but it is not on the floor");
     inside[c] = static_cast<int>(at - floor.vertex.begin());
   }
   return inside;

@@ -43,7 +43,7 @@ void require_disjoint(double height, const std::vector<Rectangle>& holes) {
       const auto [low, high] = side_of(holes[k], axis);
       if (!(low < high)) throw InputError(name + " of the floor is empty");
       if (!(low > 0 && high < (axis == 0 ? 1 : height)))
-        throw InputError(name + " does not lie inside of the floor's rectangle");
+        throw InputError(name + " does not lie inside the floor's rectangle");
     }
     for (std::size_t j = 0; j < k; ++j)
       if (side_of(holes[j], 0).meets(side_of(holes[k], 0)) &&
@@ -332,7 +332,7 @@ std::vector<FloorPoint> nodes_on_floor(const Solid& solid, const FloorMap& floor
       continue;
     }
     const FlatPlace place = locator.nearest(node.position);
-    if (place.triangle < 0) throw PreconditionError("all triangles of the floor are turned over");
+    if (place.triangle < 0) throw PreconditionError("all triangles of the floor are inverted");
     points.push_back(on_solid(solid, floor, place.triangle, place.weight, place.outside));
   }
   return points;

@@ -41,7 +41,7 @@ SolidHexahedra hexahedra(const FiberField& field, const FloorGrid& grid, const s
                          const HexOptions& options, const Progress& progress) {
   if (options.layers < 1) throw PreconditionError("hexahedra: there must be at least one layer");
   if (start.size() != grid.nodes.size())
-    throw PreconditionError("hexahedra: fibres must start once for each node of the grid");
+    throw PreconditionError("hexahedra: exactly one fiber must start at each node of the grid");
   const int count = static_cast<int>(start.size());
   std::vector<Column> columns(start.size());
   for_each(count, options.threads, 16, progress, "hexahedra",

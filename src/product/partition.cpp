@@ -119,7 +119,7 @@ void require_bases(const Solid& solid, const Pieces& pieces) {
   for (int k = 0; k < pieces.parts.count; ++k)
     if (pieces.base[k] >= 0)
       require_type(solid, pieces, k, pieces.piece[k].surface, expected,
-                   ", as the boundary of the solid has genus " + std::to_string(n));
+                   ", because the boundary of the solid has genus " + std::to_string(n));
 }
 
 /// In a product the loops around the holes of the floor are a basis of the homology.
@@ -184,8 +184,8 @@ std::vector<Wall> walls_of(const Solid& solid, const Pieces& pieces, int outer) 
   // Each wall has one rim on the floor, which has genus + 1 of them: so there are as many walls.
   const int first = outer < 0 ? -1 : pieces.parts.of[outer];
   if (first >= 0 && pieces.base[first] >= 0)
-    throw InputError("the outer wall is asked to go through " + triangle_name(solid, outer) +
-                     ", which is on the " + base_name[pieces.base[first]]);
+    throw InputError("the outer wall should contain " + triangle_name(solid, outer) + ", which is on the " +
+                     base_name[pieces.base[first]]);
   std::stable_sort(walls.begin(), walls.end(), [first](const Wall& a, const Wall& b) {
     if ((a.piece == first) != (b.piece == first)) return a.piece == first;
     return a.length > b.length;

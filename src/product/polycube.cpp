@@ -85,7 +85,7 @@ void fill_column(Box& box, const Sheets& sheets, int x, int y) {
     if (depth < 0 || depth > 1 || (depth == 1 && z == box.high(2)))
       throw InputError("the image of the boundary is no surface of a polycube seen from outside: above x = " +
                        std::to_string(x) + ".5, y = " + std::to_string(y) + ".5 at z = " + std::to_string(z) +
-                       " (steps of the lattice) the inside is " + std::to_string(depth) + " times inside");
+                       " (in lattice steps) the inside is " + std::to_string(depth) + " times inside");
     if (depth == 1) box.fill({x, y, z});
   }
 }
@@ -114,9 +114,8 @@ void require_cover(const Box& box, const Sheets& sheets, const mesh::Surface& bo
       }
       cube[facing.axis] = facing.plane - (facing.up ? 1 : 0);
       if (box.is_filled(cube) && !box.is_filled(beyond(cube, facing.axis, facing.up ? 1 : -1))) continue;
-      throw InputError(
-          "triangle " + std::to_string(t) +
-          " of the boundary (counted from 0) is turned over on the polycube, or overlaps others");
+      throw InputError("triangle " + std::to_string(t) +
+                       " of the boundary (counted from 0) is inverted on the polycube, or overlaps others");
     }
   }
   constexpr double rounding = 1e-3; // far below one face, far above the snapping of vertices

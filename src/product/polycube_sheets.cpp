@@ -83,8 +83,8 @@ std::vector<Facing> facings(const mesh::Surface& boundary, const std::vector<Poi
     }
     if (area == 0)
       throw InputError("triangle " + std::to_string(t) + " of the boundary (counted from 0) " +
-                       (is_in_plane ? "has no area on the polycube, in steps of the lattice: "
-                                    : "lies in no plane of the lattice, in steps of it: ") +
+                       (is_in_plane ? "has no area on the polycube, in lattice steps: "
+                                    : "lies in no plane of the lattice, in lattice steps: ") +
                        text(p));
     result.push_back(found);
   }

@@ -136,7 +136,7 @@ private:
 Smoothed smooth(HexMesh& mesh, const std::vector<char>& fixed, const SmoothOptions& options,
                 const Progress& progress) {
   if (fixed.size() != mesh.points.size())
-    throw PreconditionError("smooth: of each point must be told whether it is fixed");
+    throw PreconditionError("smooth: each point needs a flag that says whether it is fixed");
   Smoothed result;
   const HexQuality before = quality(mesh);
   result.minimum_before = before.minimum;

@@ -127,7 +127,7 @@ std::vector<T> spread(const std::vector<T>& values, const Tubes& tubes, int side
 
 Surface swept(const Tubes& tubes, int sides) {
   require_sound(tubes);
-  if (sides < 3) throw PreconditionError("a tube has at least three sides");
+  if (sides < 3) throw PreconditionError("a tube needs at least three sides");
   const std::size_t polylines = part_count(tubes);
   const std::size_t points = tubes.points.size() * static_cast<std::size_t>(sides) + 2 * polylines;
   if (points > std::numeric_limits<int>::max()) throw PreconditionError("the tubes have too many points");

@@ -17,7 +17,7 @@ void check(const SlitRing& ring) {
   for (const Arc& arc : ring.slits)
     good = good && ring.inner < arc.radius && arc.radius < 1 && arc.start < arc.end &&
            arc.end - arc.start < full_turn;
-  if (!good) throw PreconditionError("slits lie inside the ring, and are less than a full turn");
+  if (!good) throw PreconditionError("slits must lie inside the ring and span less than a full turn");
 }
 
 Curves sampled(const SlitRing& ring, const std::vector<int>& samples) {

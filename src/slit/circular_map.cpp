@@ -46,7 +46,7 @@ SlitRing slit_ring(const SlitMap& map) {
     const bool inside = ring.inner < s.radius && s.radius < 1;
     if (!inside || !(s.start < s.end && s.end - s.start < full_turn))
       throw InputError("the slit of loop " + std::to_string(s.loop) +
-                       (inside ? " goes all the way round" : " is no farther in than a circle of the ring") +
+                       (inside ? " is a full circle" : " lies on a circle of the ring") +
                        ", up to rounding; the surface is too long and thin for this domain");
     ring.slits.push_back({s.radius, s.start, s.end});
   }
@@ -89,7 +89,7 @@ CircularMap disk_map(const mesh::TriangleMesh& mesh, int center) {
     throw InputError("Riemann's map needs a disk, but this surface has type " + type.str());
   const std::vector<int> loop = mesh::loops_of_vertices(loops, surface);
   if (center < 0 || center >= surface.vertex_count() || loop[center] >= 0)
-    throw InputError("the centre of the disk must be a vertex inside");
+    throw InputError("the center of the disk must be an interior vertex");
   const std::vector<double> weight = mesh::half_cotangents(mesh);
   std::vector<char> held;
   held.reserve(loop.size());

@@ -79,7 +79,7 @@ public:
       const auto [low, high] = std::minmax({p[0].imag(), p[1].imag(), p[2].imag()});
       upright.emplace_back(Box{{left, low}, {right, high}}, t);
     }
-    if (upright.empty()) throw PreconditionError("all triangles are turned over in the plane");
+    if (upright.empty()) throw PreconditionError("all triangles are inverted in the plane");
     boxes_ = Tree(upright);
   }
 

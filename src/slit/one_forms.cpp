@@ -29,7 +29,7 @@ std::vector<mesh::BoundaryLoop> loops_of(const mesh::TriangleMesh& mesh) {
   if (type.genus() != 0)
     throw InputError("slit maps need a sphere with holes, but this surface has type " + type.str());
   if (type.boundary_curves < 2)
-    throw InputError("slit maps need two boundary loops at least, and this surface has " +
+    throw InputError("slit maps need at least two boundary loops, but this surface has " +
                      std::to_string(type.boundary_curves));
   return loops;
 }

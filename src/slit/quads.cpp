@@ -137,7 +137,7 @@ private:
   void put(std::size_t crossing, const Slit& slit, std::size_t row, const SpacePoint& point) {
     const bool is_rim = row == 0 || row + 1 == mesh_.heights.size();
     if (is_on_slit_[crossing] || is_rim)
-      refuse(slit, "too short or too near another loop: vertices would coincide");
+      refuse(slit, "too short or too near another loop, so vertices would coincide");
     is_on_slit_[crossing] = 1;
     mesh_.points[crossing] = point;
   }
@@ -174,7 +174,7 @@ double warp(const std::array<SpacePoint, 4>& p) {
 QuadMesh quads(const OneForms& forms, const SlitMap& map, int around) {
   for (const Slit& s : map.slits)
     if (!(s.end - s.start < full_turn)) refuse(s, "longer than a full turn");
-  if (around < 3) throw PreconditionError("a quad mesh needs three quads around at least");
+  if (around < 3) throw PreconditionError("a quad mesh needs at least three quads around the ring");
   const double spacing = full_turn / around;
   if (around * std::max(1.0, map.modulus / spacing) > most_quads)
     throw InputError("there would be more than " + std::to_string(static_cast<int>(most_quads)) + " quads");

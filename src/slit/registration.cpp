@@ -97,7 +97,7 @@ std::vector<RoundLoop> round_loops(const mesh::TriangleMesh& mesh,
   std::vector<RoundLoop> result;
   for (int k = 0; k < static_cast<int>(loops.size()); ++k) {
     const auto curve = std::find(map.loop.begin(), map.loop.end(), k);
-    if (curve == map.loop.end()) throw PreconditionError("the circular map is of another surface");
+    if (curve == map.loop.end()) throw PreconditionError("the circular map belongs to another surface");
     result.emplace_back(mesh, loops[k], map, static_cast<std::size_t>(curve - map.loop.begin()));
   }
   return result;
@@ -215,7 +215,7 @@ std::vector<int> checked_matching(const OneForms& a, const CircularMap& map_a, s
                      " boundary loops of the other surface once");
   for (const std::size_t curve : {0, 1})
     if (map_a.loop.at(curve) < 0 || matching.at(map_a.loop[curve]) != map_b.loop.at(curve))
-      throw PreconditionError("the outer and the inner loop of both maps must match");
+      throw PreconditionError("the outer loops of both maps must match, and so must the inner loops");
   return matching;
 }
 

@@ -43,7 +43,7 @@ void check(const mesh::TriangleMesh& mesh, const Curvatures& curvatures, const s
       mesh.surface.vertex_count() - mesh.surface.edge_count() + mesh.surface.triangle_count();
   constexpr double rounding = 1e-8;
   if (std::abs(total - full_turn * euler) > rounding)
-    throw InputError("by Gauss and Bonnet the curvatures must add up to " + std::to_string(euler) +
+    throw InputError("by Gauss-Bonnet the curvatures must add up to " + std::to_string(euler) +
                      " full turns, not to " + std::to_string(total / full_turn));
 }
 
@@ -244,8 +244,7 @@ std::vector<Complex> in_disk(const Opened& open, const std::vector<Complex>& hal
 void check_loops(const mesh::TriangleMesh& mesh, int loops, int outer, int inner) {
   const SurfaceType type = mesh::type_of(mesh.surface);
   if (!type.orientable || loops == 0 || type.euler != 2 - loops)
-    throw InputError("a circular domain is that of a sphere with holes, but this surface has type " +
-                     type.str());
+    throw InputError("a circular domain needs a sphere with holes, but this surface has type " + type.str());
   const bool is_disk = loops == 1;
   if (outer < 0 || outer >= loops || inner >= loops || inner == outer || (is_disk ? inner != -1 : inner < 0))
     throw InputError("there are no such outer and inner loops: the surface has " + std::to_string(loops));
@@ -274,7 +273,7 @@ Complex center_of_disk(const mesh::TriangleMesh& mesh, const mesh::BoundaryLoop*
                        const std::vector<Complex>& half_plane) {
   if (!inner) {
     const int center = innermost_vertex(mesh);
-    if (center < 0) throw InputError("the disk has no vertex inside");
+    if (center < 0) throw InputError("the disk has no interior vertex");
     return half_plane[open.in_rest[center]];
   }
   std::vector<Complex> points;

@@ -56,8 +56,7 @@ CornerLoop corner_loop(const mesh::Surface& surface, const std::vector<Side>& ou
   std::sort(loop.place.begin(), loop.place.end());
   for (std::size_t c = 0; c < 4; ++c)
     if (loop.gap(c) < 2)
-      throw InputError("two corners of the loop of vertex " + std::to_string(first) +
-                       " are neighbours on it");
+      throw InputError("two corners of the loop of vertex " + std::to_string(first) + " are neighbors on it");
   return loop;
 }
 
@@ -240,7 +239,8 @@ RicciRectangles ricci_rectangles(const mesh::TriangleMesh& mesh, const std::vect
   const SurfaceType type = mesh::type_of(mesh.surface);
   const auto loops = mesh::boundary_loops(mesh);
   if (!type.orientable || loops.empty() || type.euler != 2 - static_cast<int>(loops.size()))
-    throw InputError("rectangles with holes are spheres with holes, but this surface has type " + type.str());
+    throw InputError("a rectangle with holes needs a sphere with holes, but this surface has type " +
+                     type.str());
   if (hints.size() != loops.size())
     throw InputError("each of the " + std::to_string(loops.size()) + " loops needs its four corners, not " +
                      std::to_string(hints.size()) + " of them");
@@ -252,7 +252,7 @@ RicciRectangles ricci_rectangles(const mesh::TriangleMesh& mesh, const std::vect
   for (const auto& hint : hints) {
     corners.push_back(corner_loop(mesh.surface, out, hint));
     if (std::exchange(met[loop_of[hint[0]]], 1))
-      throw InputError("the loop of vertex " + std::to_string(hint[0]) + " has its corners twice");
+      throw InputError("the loop of vertex " + std::to_string(hint[0]) + " has two sets of corners");
   }
   return RectangleSearch(start, std::move(corners), options, progress).run();
 }

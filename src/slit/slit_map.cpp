@@ -84,7 +84,7 @@ SlitMap slit_map(const OneForms& forms, int outer, int inner) {
       throw InputError("there is no loop " + std::to_string(loop) + ", only 0 to " +
                        std::to_string(forms.loop_count() - 1));
   if (outer == inner)
-    throw InputError("the outer and the inner loop must be two, not both " + std::to_string(outer));
+    throw InputError("the outer and the inner loop must differ, but both are " + std::to_string(outer));
   const mesh::Surface& surface = forms.mesh().surface;
   SlitMap map;
   map.outer = outer;

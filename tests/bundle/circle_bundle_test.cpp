@@ -98,7 +98,7 @@ TEST_CASE("Where the twist is no multiple of the fibre, an exceptional fibre is 
   CHECK(!skeleton.has_boundary_faces());
   for (const VertexId v : all<VertexId>(skeleton.vertex_count())) CHECK(skeleton.link(v).is_sphere());
   CHECK(first_homology(bundle.total) == "Z^2");
-  CHECK(prove(bundle, skeleton).failure == "the fibre over vertex 0 has length 1, expected 3");
+  CHECK(prove(bundle, skeleton).failure == "the fiber over vertex 0 has length 1, expected 3");
 }
 
 TEST_CASE("A bundle with two gluings exchanged is not proved", "[bundle]") {

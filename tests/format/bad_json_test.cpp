@@ -187,7 +187,7 @@ TEST_CASE("metrics that are none", "[bad][json]") {
   CHECK(spoilt("\"0.25\"", "\"a quarter\"") == "f:17: metric.dihedral_angles[1][5]: found the string 'a "
                                                "quarter', expected a number or a string of digits");
   CHECK(spoilt("\"0.25\"", "9007199254740993") == "f:17: metric.dihedral_angles[1][5]: found the number "
-                                                  "9007199254740993, expected a string of digits, as a "
+                                                  "9007199254740993, expected a string of digits, because a "
                                                   "double would lose some");
   CHECK(spoilt("2.02988321", "[]") ==
         "f:19: metric.volume: found an array, expected a number or a string of digits");

@@ -153,8 +153,8 @@ TEST_CASE("wrong census records", "[bad][fmp]") {
   };
   CHECK(complaint("") == "f:1: the text ends, expected the number of tetrahedra, at least 1");
   CHECK(complaint("0\n") == "f:1: found '0', expected the number of tetrahedra, at least 1");
-  CHECK(complaint("2\n1 1 1") == "f:2: the text ends, expected a neighbour of tetrahedron 0, 0 to 1");
-  CHECK(complaint("1\n1 0 0 0") == "f:2: found '1', expected a neighbour of tetrahedron 0, 0 to 0");
+  CHECK(complaint("2\n1 1 1") == "f:2: the text ends, expected a neighbor of tetrahedron 0, 0 to 1");
+  CHECK(complaint("1\n1 0 0 0") == "f:2: found '1', expected a neighbor of tetrahedron 0, 0 to 0");
   CHECK(complaint("1\n0 0 0 0\n0123 0123 0123 0122") ==
         "f:3: found '0122', expected a permutation of tetrahedron 0, like 0132");
   CHECK(complaint("1\n0 0 0 0\n0123 0123 0123 0123") == "f:3: face 0 of tetrahedron 0 is glued to itself");

@@ -238,7 +238,7 @@ TEST_CASE("cells and fibres that do not fit are told by place and cause", "[bad]
   CHECK(said("octahedron", "\"isometry_signature\": ", "\"isometry_signature\": 1, \"x\": ") ==
         "canonical.isometry_signature: found the number 1, expected a string");
   CHECK(said("bundle", "\"fiber\": 1", "\"fiber\": 0") ==
-        "bundle.fiber: found the number 0, expected the edges of a fibre");
+        "bundle.fiber: found the number 0, expected the edges of a fiber");
   CHECK(said("bundle", "\"euler_number\": 2", "\"euler_number\": 0.5") ==
         "bundle.euler_number: found the number 0.5, expected an integer or null");
   CHECK(said("bundle", "\"triangle_of\": [", "\"triangle_of\": [ 0,") ==

@@ -61,9 +61,9 @@ TEST_CASE("wrong Regina files", "[bad][regina]") {
   };
   CHECK(spoilt("<simplex> 1 11", "<simplex> 1 10").substr(0, 15) == "f:5: face 0 of ");
   CHECK(spoilt("<simplex> 1 11", "<simplex> 1 24") == "f:5: found '24', expected a permutation");
-  CHECK(spoilt("<simplex> 0 11", "<simplex> x 11") == "f:6: found 'x', expected a neighbour");
+  CHECK(spoilt("<simplex> 0 11", "<simplex> x 11") == "f:6: found 'x', expected a neighbor");
   CHECK(spoilt(" 1 15 <", " 1 <") == "f:5: the text ends, expected a permutation");
-  CHECK(spoilt(" 1 15 <", " 1 15 3 <") == "f:5: found '3', expected four neighbours");
+  CHECK(spoilt(" 1 15 <", " 1 15 3 <") == "f:5: found '3', expected four neighbors");
   CHECK(spoilt("size=\"2\"", "size=\"3\"") == "f:4: found 2 tetrahedra, expected '3'");
   CHECK(spoilt("perm=\"index\"", "perm=\"pack\"") ==
         "f:4: found 'pack', expected the permutations by their index");

@@ -141,7 +141,7 @@ TEST_CASE("a SnapPea file cut anywhere names its last line and what was expected
   CHECK(cut(" 1032 3021") == "f:9: the text ends, expected a permutation of tetrahedron 0, like 0132");
   CHECK(cut("  -1   -1   -1") == "f:9: the text ends, expected a cusp index of tetrahedron 0");
   CHECK(cut("0.0 0.0\n   0") == "f:14: the text ends, expected the shape of tetrahedron 0, two numbers");
-  CHECK(cut("   0    0    0    0\n") == "f:15: the text ends, expected a neighbour of tetrahedron 1, 0 to 1");
+  CHECK(cut("   0    0    0    0\n") == "f:15: the text ends, expected a neighbor of tetrahedron 1, 0 to 1");
   for (std::size_t length = 0; length + 2 < figure_eight.size(); ++length) {
     const std::string message = complaint(figure_eight.substr(0, length));
     INFO(length << ": " << message);
@@ -168,10 +168,10 @@ TEST_CASE("wrong entries of a SnapPea file", "[bad][snappea]") {
   CHECK(spoilt("0 0\n2\n", "-1 0\n2\n") == "f:6: found '-1', expected the number of torus cusps");
   CHECK(spoilt("0 0\n2\n", "0 0\n0\n") == "f:7: found '0', expected the number of tetrahedra, at least 1");
   CHECK(spoilt("0 0\n2\n", "0 0\n3\n") ==
-        "f:23: the text ends, expected a neighbour of tetrahedron 2, 0 to 2");
+        "f:23: the text ends, expected a neighbor of tetrahedron 2, 0 to 2");
   CHECK(spoilt("0 0\n2\n", "0 0\n2000000000\n") ==
-        "f:23: the text ends, expected a neighbour of tetrahedron 2, 0 to 1999999999");
-  CHECK(spoilt("0 0\n2\n", "0 0\n1\n") == "f:8: found '1', expected a neighbour of tetrahedron 0, 0 to 0");
+        "f:23: the text ends, expected a neighbor of tetrahedron 2, 0 to 1999999999");
+  CHECK(spoilt("0 0\n2\n", "0 0\n1\n") == "f:8: found '1', expected a neighbor of tetrahedron 0, 0 to 0");
   CHECK(spoilt("1203", "1202") == "f:9: found '1202', expected a permutation of tetrahedron 0, like 0132");
   CHECK(spoilt("1203", "0132") == "f:9: face 1 of tetrahedron 1 is glued twice: to face 1 of "
                                   "tetrahedron 0 and to face 3 of tetrahedron 0");

@@ -43,7 +43,7 @@ TEST_CASE("what is no closed surface is refused", "[fill]") {
         "f:15: triangle 1 names vertex 10, which is none of the 8 there are");
   CHECK(complaint(with_first({0, 1, 1})) == "f:15: triangle 1 names vertex 2 twice");
   CHECK(complaint(with_first({0, 3, 1})) ==
-        "f:15: triangle 1 is turned against its neighbour 12 at the edge on vertices 2, 4");
+        "f:15: triangle 1 is turned against its neighbor 12 at the edge on vertices 2, 4");
   Triangles open = cube_surface();
   open.erase(open.begin());
   CHECK(complaint(open) ==

@@ -125,16 +125,16 @@ TEST_CASE("Paths that cannot be are refused by name", "[slice]") {
   };
   CHECK_THAT(error({{at(5, 5), 121}}), Contains("no vertex 121"));
   CHECK_THAT(error({{at(5, 5), at(5, 10)}}), Contains("boundary at vertex 65"));
-  CHECK_THAT(error({{at(5, 5), at(5, 6)}}), Contains("vertex 60 has less than two edges"));
-  CHECK_THAT(error({{at(5, 5)}}), Contains("less than two edges"));
+  CHECK_THAT(error({{at(5, 5), at(5, 6)}}), Contains("vertex 60 has fewer than two edges"));
+  CHECK_THAT(error({{at(5, 5)}}), Contains("fewer than two edges"));
   CHECK_THAT(error({{}}), Contains("no vertices"));
-  CHECK_THAT(error({{at(5, 5), at(5, 7), at(5, 5)}}), Contains("less than three"));
+  CHECK_THAT(error({{at(5, 5), at(5, 7), at(5, 5)}}), Contains("fewer than three"));
   CHECK_THAT(error({{at(5, 5), at(5, 7), at(7, 7), at(5, 7)}}), Contains("vertex 62") && Contains("twice"));
   CHECK_THAT(error({{at(5, 5), at(5, 7)}, {at(7, 7), at(5, 7)}}), Contains("vertex 62") && Contains("twice"));
   CHECK_THAT(error({{at(5, 5), at(5, 7), at(7, 7), at(5, 5)}}), Contains("in two"));
   // Walled in.
   CHECK_THAT(error({{at(4, 4), at(6, 4), at(6, 6), at(4, 6), at(4, 4)}, {at(5, 5), at(8, 8)}}),
-             Contains("no way is left from vertex 60 to vertex 96"));
+             Contains("there is no way from vertex 60 to vertex 96"));
   // A cut is boundary afterwards.
   const OpenedMesh open = slice(whole, {{at(5, 4), at(5, 6)}});
   CHECK_THAT(error_of([&] {

@@ -58,7 +58,7 @@ TEST_CASE("the first finding that keeps a soup from being a surface is named", "
 TEST_CASE("what can be mended is named after what cannot, with the way to mend it", "[triangle_mesh]") {
   CHECK(
       complaint({{0, 1, 2}, {0, 1, 3}}, 4) ==
-      "f:12: triangle 2 is turned against its neighbour 1 at the edge on vertices 1, 2; --repair mends this");
+      "f:12: triangle 2 is turned against its neighbor 1 at the edge on vertices 1, 2; --repair mends this");
   CHECK(complaint({{0, 1, 2}, {1, 2, 0}, {0, 0, 1}}, 4) ==
         "f:13: triangle 3 names vertex 1 twice (and 2 more); --repair mends this");
   CHECK(complaint({{0, 1, 2}}, 4) == "f:8: vertex 4 is in no triangle; --repair mends this");

@@ -211,7 +211,7 @@ TEST_CASE("places are those of the file", "[validate_surface]") {
   CHECK(place_of(report.findings[0], soup).line == 10);
   CHECK(place_of(report.findings[1], soup).line == 9);
   CHECK(report.findings[1].text ==
-        "triangle 2 is turned against its neighbour 1 at the edge on vertices 2, 3");
+        "triangle 2 is turned against its neighbor 1 at the edge on vertices 2, 3");
 }
 
 TEST_CASE("no triangles", "[validate_surface]") {
@@ -273,11 +273,11 @@ TEST_CASE("the fewest triangles are called turned, those at the edge of their pa
   CHECK(counts_in(report) == Counts{{"turned", total}});
   const auto first_inside =
       std::find_if(report.findings.begin(), report.findings.end(), [](const Finding& f) {
-        return f.text == "triangle " + std::to_string(f.number) + " is turned, and its neighbours with it";
+        return f.text == "triangle " + std::to_string(f.number) + " is turned, and its neighbors with it";
       });
   CHECK(first_inside - report.findings.begin() == 12); // those at the corners
   for (auto f = report.findings.begin(); f != report.findings.end(); ++f)
-    CHECK((f->text.find(" is turned against its neighbour ") != std::string::npos) == (f < first_inside));
+    CHECK((f->text.find(" is turned against its neighbor ") != std::string::npos) == (f < first_inside));
   // Of two halves, the one with the first triangle is right.
   const Report halves = report_of(curve(4), {{0, 1, 2}, {0, 1, 3}});
   CHECK(halves.findings.at(0).number == 2);

@@ -147,7 +147,7 @@ TEST_CASE("Images that are no polycube are refused, and the triangle is named", 
   const Mapped large(Voxels({4, 4, 4}, true), same);
   image = large.image;
   *std::find(image.begin(), image.end(), Point{3, 1, 4}) = {3.9, 0.3, 4};
-  CHECK(error_of([&] { (void)filled_polycube(large.solid.boundary, image, 4); }).find("turned over") !=
+  CHECK(error_of([&] { (void)filled_polycube(large.solid.boundary, image, 4); }).find("inverted") !=
         std::string::npos);
   // Mirrored, the surface is seen from inside.
   image = cube.image;

@@ -727,7 +727,7 @@ class Bundle(InFolder):
         cube, torus = self.surface("cube.off"), self.surface("torus.off")
         self.assertIn("least that works", run("bundle", "--help").stdout)
         self.assertIn("expected 1 to", self.refused(cube, "--fiber", "0"))
-        self.assertIn("multiple of the fibre's 4 edges", self.refused(torus, "--fiber", "4", "--twist", "6"))
+        self.assertIn("multiple of the fiber's 4 edges", self.refused(torus, "--fiber", "4", "--twist", "6"))
         self.assertIn("{dissertation,any}", self.refused(cube, "--cut", "some"))
         self.assertIn("closed", self.refused(cube, "--boundary", self.path("b.txt", "")))
         self.assertIn("are allowed (--memory)", self.refused(cube, "--fiber", "1000000"))
@@ -775,7 +775,7 @@ class Register(InFolder):
         torus = os.path.join(SOURCE, "tests/data/mesh/torus.off")
         for other, options, complaint in ((torus, [], "has 0 boundary loops"), (ring, ["--match", "0,1"], "for each"),
                                           (ring, ["--match", "0,1,1"], ""), (ring, ["--match", "0,1,x"], "expected the number"),
-                                          (ring, ["--inner", "0"], "two"), (ring, ["-o", self.path("a.stl")], "extension")):
+                                          (ring, ["--inner", "0"], "differ"), (ring, ["-o", self.path("a.stl")], "extension")):
             done = run("register", ring, other, *options)
             self.assertEqual((done.returncode, done.stderr.count("\n")), (2, 1), done.stderr)
             self.assertIn(complaint, done.stderr)
@@ -1010,7 +1010,7 @@ class Slit(InFolder):
 
     def test_bad_input(self):
         for option, value, complaint in (("--outer", "3", "no such loop"), ("--inner", "-1", "expected the number"),
-                                         ("--inner", "0", "two"), ("--outer", "v100000", "no boundary loop"),
+                                         ("--inner", "0", "differ"), ("--outer", "v100000", "no boundary loop"),
                                          ("--outer", "v", "expected the number"), ("--outer", "1x", "expected the number"),
                                          ("--outer", "99999999999", "no such loop"), ("--domain", "spherical", "not in"),
                                          ("-o", self.path("a.xyz"), "extension"), ("-o", "/nowhere/a.obj", "no such folder")):
@@ -1061,7 +1061,7 @@ class Slit(InFolder):
         # Before the first opening the slit is where it was; then its vertices are on a circle.
         self.assertTrue(all(abs(math.hypot(*files["0"][k]) - radius) < 1e-9 for k in on_slit))
         self.assertFalse(any(abs(math.hypot(*files["1"][k]) - radius) < 1e-9 for k in on_slit))
-        self.assertIn("the last one is 1", self.refused(self.ring, "--domain", "circular", "--stage", "2"))
+        self.assertIn("the last stage is 1", self.refused(self.ring, "--domain", "circular", "--stage", "2"))
         self.assertIn("circular", self.refused(self.ring, "--stage", "0"))
         self.assertEqual(run("slit", self.ring, "--basis", "2", "-o", self.path("basis.vtu")).returncode, 0)
         self.assertIn("the last loop is 2", self.refused(self.ring, "--basis", "3"))
@@ -1100,7 +1100,7 @@ class Slit(InFolder):
         disk = self.path("fan.off", "OFF\n5 4 0\n0 0 0\n1 0 0\n0 1 0\n-1 0 0\n0 -1 0\n3 0 1 2\n3 0 2 3\n3 0 3 4\n3 0 4 1\n")
         _, made = run_json("slit", disk, "--domain", "circular", "-o", self.path("fan.obj"))
         self.assertEqual((made["center"], made["flipped"]), (0, 0))
-        self.assertIn("vertex inside", self.refused(disk, "--domain", "circular", "--center", "v1"))
+        self.assertIn("interior vertex", self.refused(disk, "--domain", "circular", "--center", "v1"))
 
     def test_quads(self):
         path = self.path("quads.obj")

@@ -190,7 +190,7 @@ class Scripts(unittest.TestCase):
                 f.write(f"run {path}\n")
             done = pipe(f"run {path}")
             self.assertEqual(done.returncode, 2)
-            self.assertIn("does it run itself?", done.stderr)
+            self.assertIn("does this file run itself?", done.stderr)
             with open(path, "w") as f:
                 f.write("Y = cPcbbbihq\n")
             done = pipe(f"run {path}", "print Y")
@@ -215,8 +215,8 @@ class Scripts(unittest.TestCase):
     def test_refusals(self):
         for lines, message in (
                 (["info = cPcbbbihq"], "'info' is a verb and can name no value"),
-                (["Y = info cPcbbbihq"], "nothing was made that Y could name"),
-                (["Y ="], "nothing stands after Y ="),
+                (["Y = info cPcbbbihq"], "this verb makes no value that Y could name"),
+                (["Y ="], "there is nothing after Y ="),
                 (["G = < a | >", "info G"], "G is a group (expected a triangulation)"),
                 (["Y = cPcbbbihq", "check Y"], "Y is a triangulation (expected a mesh: it has no coordinates)"),
                 (["Yes = cPcbbbihq", "log Yess"], "no value is called 'Yess' (did you mean 'Yes'?)"),

@@ -52,9 +52,8 @@ void require_outputs(const Options& options) {
   for (const std::string& path : options.outputs) {
     require_folder(path);
     if (!is_svg(path) && !scene::scene_format_for_extension(path) && !format::format_for_extension(path))
-      throw InputError({path, 0},
-                       "nothing that can be written has this extension (expected .json, .tri, .sig, "
-                       ".txt or .fmp; .vtu, .glb, .ply, .obj or .svg)");
+      throw InputError({path, 0}, "this command writes no file with this extension (expected .json, .tri, "
+                                  ".sig, .txt or .fmp; .vtu, .glb, .ply, .obj or .svg)");
   }
   if (options.obstruction.empty()) return;
   require_folder(options.obstruction);
@@ -70,20 +69,21 @@ PlanOptions plan_options(const Options& options, const SurfaceInput& surface) {
   if (plan.fiber < 1 || plan.fiber > 1'000'000)
     throw InputError("--fiber " + std::to_string(plan.fiber) + ": expected 1 to 1000000 edges");
   if (options.twist) {
-    if (plan.euler) throw InputError("--twist and --euler say the same thing: expected one of them");
+    if (plan.euler) throw InputError("--twist and --euler exclude each other: expected one of them");
     if (*options.twist % plan.fiber != 0)
-      throw InputError("--twist " + std::to_string(*options.twist) + ": expected a multiple of the fibre's " +
-                       counted(plan.fiber, "edge") + ", as otherwise one fibre is exceptional");
+      throw InputError("--twist " + std::to_string(*options.twist) + ": expected a multiple of the fiber's " +
+                       counted(plan.fiber, "edge") + ", because otherwise one fiber is exceptional");
     plan.euler = *options.twist / plan.fiber;
   }
   if (plan.euler && !type.is_closed())
-    throw InputError({options.input, 0}, "a surface with boundary has no Euler number to choose");
+    throw InputError({options.input, 0}, "a surface with boundary has no Euler number");
   if (plan.euler && std::abs(static_cast<long long>(*plan.euler)) * plan.fiber > 10'000'000)
     throw InputError("--euler " + std::to_string(*plan.euler) +
-                     ": a total twist of more than 10000000 steps");
+                     ": the total twist is more than 10000000 steps");
   if (options.boundary != "free") {
     if (type.is_closed())
-      throw InputError({options.input, 0}, "the surface is closed: no edge takes a value");
+      throw InputError({options.input, 0},
+                       "the surface is closed, so it has no boundary edge to take a value");
     plan.boundary = read_boundary_values(options.boundary, surface);
   }
   return plan;
@@ -315,33 +315,39 @@ Run declare_bundle(OptionTable& table) {
   table.add("SURFACE", o->input, "a surface: OBJ, OFF, PLY or STL").required();
   table
       .add("-o,--output", o->outputs,
-           "the triangulation (.json with fibre coordinates, .tri, .sig ...), the mesh with its "
-           "coordinates (.vtu), or a picture: "
-           ".glb, .ply or .obj of the solid tori, .svg of the bands to be glued; may be repeated")
+           "write the triangulation (.json with fiber coordinates, .tri, .sig ...), the mesh with its "
+           "coordinates (.vtu), or a picture: the solid tori as .glb, .ply or .obj, the bands as .svg; may "
+           "be repeated")
       .value_name("FILE");
-  table.add("--fiber", o->plan.fiber, "edges of a fibre; 1 is the least that works").with_default();
-  table.add("--euler", o->plan.euler, "the bundle of this Euler number (chi: the unit tangent bundle)");
-  table.add("--twist", o->twist, "the same as the total twist in steps: --fiber times --euler");
+  table.add("--fiber", o->plan.fiber, "number of edges of a fiber; 1 is the least that works").with_default();
+  table.add("--euler", o->plan.euler,
+            "the Euler number of the bundle (default: chi, which gives the unit tangent bundle)");
+  table.add("--twist", o->twist, "total twist in steps, an alternative to --euler: --fiber times --euler");
   table
       .add("--boundary", o->boundary,
-           "free, or a file of lines 'u v value': a boundary edge by the numbers that the surface's file "
-           "uses, "
-           "and +1 or -1")
+           "free, or a file of lines 'u v value': the two vertices of a boundary edge, numbered as in the "
+           "surface's file, and +1 or -1")
       .value_name("FILE")
       .with_default();
-  table.add("--cut", o->cut, "dissertation: equator or canonical loops; any: a short cut graph")
+  table
+      .add("--cut", o->cut,
+           "cut along an equator or canonical loops (dissertation), or along a short cut graph (any)")
       .one_of({"dissertation", "any"})
       .with_default();
-  table.add("--show", o->show, "what pictures show: tori, or the surface with its cut and singularities")
+  table
+      .add("--show", o->show,
+           "content of pictures: the solid tori, or the surface with its cut and singularities")
       .one_of({"tori", "surface"})
       .with_default();
-  table.add("--field", o->field, "X Y Z: instead of random directions, this vector projected to the surface")
+  table
+      .add("--field", o->field,
+           "project the vector X Y Z to the surface instead of drawing random directions")
       .takes(3);
-  table.add("--obstruction", o->obstruction, "where to write the part of a disk that has no solution")
+  table.add("--obstruction", o->obstruction, "write the part of a disk that has no solution to this file")
       .value_name("FILE");
-  table.add("--memory", o->memory, "gigabytes that may be used").with_default();
+  table.add("--memory", o->memory, "greatest memory to use, in gigabytes").with_default();
   table.add("--repair", o->repair,
-            "mend orientation, unused vertices, duplicates, degenerate triangles first");
+            "first repair the mesh: orientation, duplicates, unused vertices, degenerate triangles");
   return [o](const Context& context) { return run_bundle(*o, context); };
 }
 

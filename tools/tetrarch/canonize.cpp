@@ -108,7 +108,7 @@ Result canonize(const std::string& input, const std::string& output, const Conte
                        {"smallest tilt", scientific(c.smallest_tilt, 3)},
                        {"volume", fixed(solved.volume, 12)}});
   if (c.has_flat_faces)
-    result.warnings.emplace_back("some faces are flat to 30 digits, which is confirmed but not certified");
+    result.warnings.emplace_back("some faces are flat to 30 digits, which is evidence and no proof");
   format::Document document = format::document_of(c.triangulation);
   document.canonical = cells_of(c);
   if (!output.empty()) result.files.push_back({output, write_json(document)});
@@ -161,16 +161,17 @@ Result isometric(const std::string& x, const std::string& y, const Context& cont
 Run declare_canonize(OptionTable& table) {
   const auto input = std::make_shared<std::string>();
   const auto output = std::make_shared<std::string>();
-  table.add("X", *input, "a triangulation that carries a structure").required();
-  table.add("-o,--output", *output, "the canonical triangulation with its cells, as JSON").value_name("FILE");
+  table.add("X", *input, "a triangulation that carries a hyperbolic structure").required();
+  table.add("-o,--output", *output, "write the canonical triangulation with its cells as JSON")
+      .value_name("FILE");
   return [input, output](const Context& context) { return canonize(*input, *output, context); };
 }
 
 Run declare_isometric(OptionTable& table) {
   const auto x = std::make_shared<std::string>();
   const auto y = std::make_shared<std::string>();
-  table.add("X", *x, "a triangulation that carries a structure").required();
-  table.add("Y", *y, "another").required();
+  table.add("X", *x, "a triangulation that carries a hyperbolic structure").required();
+  table.add("Y", *y, "another triangulation that carries a hyperbolic structure").required();
   return [x, y](const Context& context) { return isometric(*x, *y, context); };
 }
 

@@ -91,8 +91,8 @@ Result run_validation(int tetrahedra, const Context& context) {
 }
 
 void add_tetrahedra(OptionTable& table, int& tetrahedra, bool required) {
-  Option& option =
-      table.add("--tetrahedra", tetrahedra, "how many").in_range(1, census::max_gluing_tetrahedra);
+  Option& option = table.add("--tetrahedra", tetrahedra, "number of tetrahedra")
+                       .in_range(1, census::max_gluing_tetrahedra);
   if (required)
     option.required();
   else
@@ -111,19 +111,21 @@ Run declare_census_gluings(OptionTable& table) {
   };
   const auto options = std::make_shared<Options>();
   add_tetrahedra(table, options->gluings.tetrahedra, true);
-  table.add("--orientable", options->orientable, "orientable gluings only");
-  table.add("--nonorientable", options->nonorientable, "non-orientable gluings only")
+  table.add("--orientable", options->orientable, "only orientable gluings");
+  table.add("--nonorientable", options->nonorientable, "only non-orientable gluings")
       .excludes("--orientable");
-  table.add("--ideal", options->gluings.ideal, "at least one vertex link is no sphere");
+  table.add("--ideal", options->gluings.ideal, "only gluings with a vertex link other than a sphere");
   table
       .add("--links", options->links,
-           "every vertex link is among these: genera (0 the sphere), nK for K crosscaps")
+           "only gluings whose vertex links are in this list: genera (0 for the sphere), nK for K crosscaps")
       .value_name("LIST");
-  table.add("--min-valence", options->gluings.min_valence, "no edge class of smaller valence")
+  table
+      .add("--min-valence", options->gluings.min_valence,
+           "only gluings whose edges have at least this valence")
       .in_range(1, 72);
   table.add("--allow-invalid", options->gluings.allow_invalid,
-            "let edges be identified with themselves reversed");
-  table.add("-o,--output", options->output, "write the signatures to a file").value_name("FILE");
+            "allow edges that are identified with themselves reversed");
+  table.add("-o,--output", options->output, "write the signatures to this file").value_name("FILE");
   return [options](const Context& context) {
     using Orientability = census::GluingOptions::Orientability;
     census::GluingOptions gluings = options->gluings;
@@ -151,7 +153,8 @@ Run declare_census_enumerate(OptionTable& table) {
   const auto tetrahedra = std::make_shared<int>(3);
   const auto output = std::make_shared<std::string>();
   add_tetrahedra(table, *tetrahedra, true);
-  table.add("-o,--output", *output, "write a census table (the format of census/*.json)").value_name("FILE");
+  table.add("-o,--output", *output, "write a census table to this file (the format of census/*.json)")
+      .value_name("FILE");
   return [tetrahedra, output](const Context& context) {
     const auto found = census::classify_manifolds(*tetrahedra, context.threads, context.progress);
     Result result;
@@ -164,10 +167,10 @@ Run declare_census_enumerate(OptionTable& table) {
     }
     if (found.tally.stuck > 0)
       result.warnings.push_back(counted(found.tally.stuck, "structure") +
-                                " without a canonical decomposition left out");
+                                " left out for want of a canonical decomposition");
     if (found.tally.flat > 0)
       result.warnings.push_back(counted(found.tally.flat, "manifold") +
-                                " with flat faces told apart by 60 digits, not by proof");
+                                " with flat faces, distinguished by 60 digits and not by proof");
     return result;
   };
 }
@@ -197,7 +200,7 @@ Run declare_census_list(OptionTable& table) {
 
 Run declare_census_show(OptionTable& table) {
   const auto name = std::make_shared<std::string>();
-  table.add("NAME", *name, "for instance fmp3_17").required();
+  table.add("NAME", *name, "a census name, such as fmp3_17").required();
   return [name](const Context&) {
     const auto found = census::find_by_name(*name);
     if (!found) throw InputError("no census manifold is called " + in_quotes(*name));

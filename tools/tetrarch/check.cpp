@@ -143,12 +143,12 @@ Result check(const Options& options, const Context& context) {
 
 Run declare_check(OptionTable& table) {
   const auto options = std::make_shared<Options>();
-  table.add("MESH", options->input, "a mesh of tetrahedra, or a surface").required();
-  table.add("--listed", options->listed, "so many findings of each kind are told in full")
+  table.add("MESH", options->input, "a mesh of tetrahedra or a surface").required();
+  table.add("--listed", options->listed, "number of findings of each kind to print in full")
       .in_range(0, 1'000'000)
       .with_default();
   table.add("--repair", options->repair,
-            "mend orientation, unused vertices, duplicate and degenerate elements first");
+            "first repair the mesh: orientation, duplicates, unused vertices, degenerate triangles");
   table.add("-o,--output", options->output, "write the mesh, repaired or not, in the format of the extension")
       .value_name("FILE");
   return [options](const Context& context) { return check(*options, context); };

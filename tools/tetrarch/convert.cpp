@@ -116,13 +116,14 @@ Result convert(const Options& options, const Context& context) {
 
 Run declare_convert(OptionTable& table) {
   const auto options = std::make_shared<Options>();
-  table.add("X", options->input, "a triangulation or a mesh; a mesh may become a mesh").required();
+  table.add("X", options->input, "a triangulation or a mesh; a mesh can become a mesh of another format")
+      .required();
   table.add("-o,--output", options->output, "the file to write (its extension names the format)")
       .value_name("FILE");
   table
       .add("--to", options->to,
-           "the format, whatever the extension: json of a triangulation, tri, sig, fmp, or mesh: JSON of "
-           "a mesh; standard output if there is no -o")
+           "the format, whatever the extension: json (triangulation), tri, sig, fmp, or mesh (JSON of a "
+           "mesh); without -o, print to standard output")
       .one_of({"json", "tri", "sig", "fmp", "mesh"});
   return [options](const Context& context) { return convert(*options, context); };
 }

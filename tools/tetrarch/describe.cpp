@@ -57,10 +57,11 @@ Json argument_json(const Option& option) {
           {"repeats", option.repeats()}};
 }
 
-Json command_json(const Declared& declared) {
+Json command_json(const Declared& declared, const std::string& program) {
   const Command& command = *declared.command;
-  Json json{{"name", command.name},       {"group", command.group},     {"summary", command.summary},
-            {"example", command.example}, {"arguments", Json::array()}, {"options", Json::array()}};
+  Json json{{"name", command.name},       {"group", command.group},
+            {"summary", command.summary}, {"example", program + command.example},
+            {"arguments", Json::array()}, {"options", Json::array()}};
   for (const Option& option : declared.options.options()) {
     if (option.is_argument())
       json["arguments"].push_back(argument_json(option));
@@ -101,7 +102,7 @@ Result help(const Context& context, const std::vector<std::string>& words) {
   Result result;
   result.text = found.command == nullptr ? overview(table, found.name, context.program)
                                          : help_page(*found.command, context.program);
-  result.json = describe(table);
+  result.json = describe(table, context.program);
   return result;
 }
 
@@ -126,11 +127,13 @@ Named named_command(const std::vector<Command>& table, const std::vector<std::st
 
 void declare_common(OptionTable& table, Common& common) {
   constexpr int most_threads = 256;
-  table.add("--json", common.json, "one JSON object on standard output and nothing else").group =
+  table.add("--json", common.json, "print one JSON object on standard output and nothing else").group =
       common_group;
-  table.add("--quiet", common.quiet, "no warnings and no progress on standard error").group = common_group;
-  table.add("--seed", common.seed, "for every random choice").with_default().group = common_group;
-  table.add("--threads", common.threads, "how many (default: all cores); the results do not depend on it")
+  table.add("--quiet", common.quiet, "print no warnings and no progress").group = common_group;
+  table.add("--seed", common.seed, "seed of every random choice").with_default().group = common_group;
+  table
+      .add("--threads", common.threads,
+           "number of threads (default: all cores); the results do not depend on it")
       .in_range(1, most_threads)
       .group = common_group;
 }
@@ -166,16 +169,18 @@ std::string overview(const std::vector<Command>& table, const std::string& name,
   text += "\n'" + start + "help " + before + kind + "' explains one" +
           (program.empty() ? ".\n" : "; '" + start + "--version' tells the version.\n");
   if (name.empty())
-    text += "A triangulation is a file, - for standard input, an isomorphism signature, or a census name.\n"
-            "Exit status: 0 done, 1 proved no, 2 bad usage or input, 3 our fault, 4 undecided, 130 "
-            "interrupted.\n";
+    text +=
+        "A triangulation is a file, - for standard input, an isomorphism signature, or a census name.\n"
+        "Exit status: 0 done, 1 proved no, 2 bad usage or input, 3 fault of the program, 4 undecided, 130 "
+        "interrupted.\n";
   return text;
 }
 
-Json describe(const std::vector<Command>& table) {
+Json describe(const std::vector<Command>& table, const std::string& program) {
+  const std::string start = program.empty() ? "" : program + " ";
   Json json{{"program", "tetrarch"},     {"version", TETRARCH_VERSION}, {"summary", summary},
             {"commands", Json::array()}, {"common", common_json()},     {"exit_status", exit_statuses()}};
-  for (const Declared& command : declared(table)) json["commands"].push_back(command_json(command));
+  for (const Declared& command : declared(table)) json["commands"].push_back(command_json(command, start));
   return json;
 }
 
@@ -185,7 +190,7 @@ std::vector<std::string> first_words(const std::vector<Command>& table) {
 
 Run declare_help(OptionTable& table) {
   const auto words = std::make_shared<std::vector<std::string>>();
-  table.add("COMMAND", *words, "what to explain; nothing: the list of commands");
+  table.add("COMMAND", *words, "the command to explain (default: list all commands)");
   return [words](const Context& context) { return help(context, *words); };
 }
 

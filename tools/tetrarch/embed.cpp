@@ -212,7 +212,7 @@ Result run_embed(const Options& options, const Context& context) {
   Result result;
   result.warnings = e.warnings;
   if (constexpr double visible = 1e-6; !(std::max({r.seam, r.boundary_plane, r.edge_rotation}) < visible))
-    result.warnings.push_back("the domain is too large for doubles: its far parts are off by " +
+    result.warnings.push_back("the domain is too large for double precision: its far parts are off by " +
                               scientific(std::max(r.seam, r.boundary_plane), 1));
   result.text = block(report(e, r, drawn.piece));
   result.json = {{"signature", signature(e.tri)}, {"volume", e.structure.volume}};
@@ -228,29 +228,32 @@ Result run_embed(const Options& options, const Context& context) {
 
 Run declare_embed(OptionTable& table) {
   const auto o = std::make_shared<Options>();
-  table.add("X", o->input, "a triangulation that carries a structure").required();
+  table.add("X", o->input, "a triangulation that carries a hyperbolic structure").required();
   table
       .add("-o,--output", o->output,
-           "a picture: .glb, .ply, .obj or .vtu; .svg: the circles at infinity, or a boundary's tiling")
+           "write a picture: .glb, .ply, .obj or .vtu; .svg for the circles at infinity or the tiling of a "
+           "boundary")
       .value_name("FILE");
-  table.add("--copies", o->copies, "at most so many copies of the domain (1 if nothing bounds them)");
-  table.add("--word-length", o->word_length, "copies at most so many face crossings away");
-  table.add("--radius", o->radius, "copies whose centres are at most so far away");
-  table.add("--boundary", o->boundary, "only this boundary component or cusp, unrolled in the plane");
-  table.add("--model", o->model, "half-space, ball or klein")
+  table.add("--copies", o->copies, "greatest number of copies of the domain (1 if no option bounds them)");
+  table.add("--word-length", o->word_length, "greatest number of face crossings to a copy");
+  table.add("--radius", o->radius, "greatest distance to the center of a copy");
+  table.add("--boundary", o->boundary,
+            "unroll this boundary component or cusp in the plane, and show nothing else");
+  table.add("--model", o->model, "model of hyperbolic space: half-space, ball or klein")
       .one_of({"half-space", "ball", "klein"})
       .with_default();
-  table.add("--color", o->colors, "faces by tetrahedron, face or word-length")
+  table.add("--color", o->colors, "color the faces by tetrahedron, face or word-length")
       .one_of({"tetrahedron", "face", "word-length"})
       .with_default();
   table
       .add("--chord-error", o->chord_error,
-           "how far a chord may be from its curve, in the model (0: 1/400 of the domain's size)")
+           "greatest distance of a chord from its curve in the model (0: 1/400 of the size of the domain)")
       .with_default();
-  table.add("--tube-radius", o->tube_radius, "hyperbolic radius of the edges; 0: none").with_default();
-  table.add("--outside", o->outside, "leave out the faces inside a copy");
-  table.add("--cusp-area", o->cusp_area, "where cusps are cut off").with_default();
-  table.add("--memory", o->memory, "gigabytes that may be used").with_default();
+  table.add("--tube-radius", o->tube_radius, "hyperbolic radius of the tubes around edges (0: no tubes)")
+      .with_default();
+  table.add("--outside", o->outside, "omit the faces inside a copy");
+  table.add("--cusp-area", o->cusp_area, "area of the cross-section that cuts a cusp off").with_default();
+  table.add("--memory", o->memory, "greatest memory to use, in gigabytes").with_default();
   return [o](const Context& context) { return run_embed(*o, context); };
 }
 

@@ -19,7 +19,7 @@ std::string way_out(hyperbolic::Outcome outcome, const std::string& input) {
   case hyperbolic::Outcome::invalid:
     return {};
   default:
-    return "; 'tetrarch hyperbolize " + input + " -o FILE.json' looks for one on other triangulations of it";
+    return "; 'tetrarch hyperbolize " + input + " -o FILE.json' tries other triangulations of the manifold";
   }
 }
 
@@ -66,7 +66,7 @@ embed::PieceBounds allowed_bounds(const embed::PieceBounds& wanted, double gigab
 void require_complete(const embed::Piece& piece, const embed::PieceBounds& wanted, double gigabytes) {
   if (wanted.copies > 0 || piece.complete) return;
   throw InputError(std::string(wanted.radius > 0 ? "--radius" : "--word-length") + ": more than " +
-                   std::to_string(piece.copies.size()) + " copies, as many as fit into the " +
+                   std::to_string(piece.copies.size()) + " copies, which do not fit into the " +
                    in_gigabytes(1e9 * gigabytes) + " allowed (--memory)");
 }
 

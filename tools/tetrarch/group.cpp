@@ -46,9 +46,9 @@ Run declare_group(OptionTable& table) {
   const auto input = std::make_shared<std::string>();
   const auto as_given = std::make_shared<bool>(false);
   const auto output = std::make_shared<std::string>();
-  table.add("X", *input, "a triangulation or mesh, or a presentation: '< a, b | abAB >'").required();
-  table.add("--as-given", *as_given, "leave the presentation as it is read off, or as it stands");
-  table.add("-o,--output", *output, "the presentation, as JSON").value_name("FILE");
+  table.add("X", *input, "a triangulation or a mesh, or a presentation such as '< a, b | abAB >'").required();
+  table.add("--as-given", *as_given, "print the presentation without simplification");
+  table.add("-o,--output", *output, "write the presentation as JSON").value_name("FILE");
   return [input, as_given, output](const Context& context) {
     return describe_group(*input, *as_given, *output, context);
   };

@@ -177,20 +177,22 @@ Result hyperbolize(const Options& options, const Context& context) {
 
 Run declare_hyperbolize(OptionTable& table) {
   const auto options = std::make_shared<Options>();
-  table.add("X", options->input, "a triangulation or mesh; its boundary becomes geodesic, or a cusp")
+  table.add("X", options->input, "a triangulation or a mesh; its boundary becomes geodesic, or a cusp")
       .required();
-  table.add("--method", options->method, "the flow is Luo's, from length 1")
+  table.add("--method", options->method, "the method: newton, or flow for Luo's curvature flow from length 1")
       .one_of({"newton", "flow"})
       .with_default();
-  table.add("--history", options->history, "the flow's history of sum K^2, as CSV").value_name("FILE");
-  table.add("-o,--output", options->output, "the triangulation with its metric, as JSON").value_name("FILE");
-  table.add("--as-given", options->as_given, "solve on the triangulation as it is, and on no other");
-  table.add("--attempts", options->attempts, "on how many triangulations to seek a structure")
+  table.add("--history", options->history, "write the flow's sum of K^2 at each step as CSV")
+      .value_name("FILE");
+  table.add("-o,--output", options->output, "write the triangulation with its metric as JSON")
+      .value_name("FILE");
+  table.add("--as-given", options->as_given, "solve on the given triangulation and on no other");
+  table.add("--attempts", options->attempts, "greatest number of triangulations to try")
       .in_range(1, 10'000'000)
       .with_default();
   return [options](const Context& context) {
     if (!options->history.empty() && options->method != "flow")
-      throw InputError("--history needs --method flow: Newton's method has no flow to record");
+      throw InputError("--history needs --method flow");
     return hyperbolize(*options, context);
   };
 }

@@ -105,8 +105,8 @@ Result subdivide(const SubdivideOptions& options, const Context& context) {
 Run declare_census_identify(OptionTable& table) {
   const auto input = std::make_shared<std::string>();
   const auto attempts = std::make_shared<int>(census::IdentifyOptions().attempts);
-  table.add("X", *input, "a triangulation, or a mesh").required();
-  table.add("--attempts", *attempts, "triangulations on which a structure is sought")
+  table.add("X", *input, "a triangulation or a mesh").required();
+  table.add("--attempts", *attempts, "greatest number of triangulations to try")
       .in_range(1, 1'000'000)
       .with_default();
   return [input, attempts](const Context& context) { return identify(*input, *attempts, context); };
@@ -114,11 +114,14 @@ Run declare_census_identify(OptionTable& table) {
 
 Run declare_subdivide(OptionTable& table) {
   const auto options = std::make_shared<SubdivideOptions>();
-  table.add("X", options->input, "a triangulation, or a mesh").required();
-  table.add("--finite", options->finite, "first give ideal vertices real boundary: cut them off");
-  table.add("--barycentric", options->barycentric, "then so many times 24 tetrahedra for each one")
+  table.add("X", options->input, "a triangulation or a mesh").required();
+  table.add("--finite", options->finite,
+            "first truncate ideal vertices, which makes their links real boundary");
+  table
+      .add("--barycentric", options->barycentric,
+           "number of barycentric subdivisions; each makes 24 tetrahedra of one")
       .in_range(0, 5);
-  table.add("--one-four", options->one_four, "then 4 for each one");
+  table.add("--one-four", options->one_four, "finally divide each tetrahedron into 4");
   table.add("-o,--output", options->output, "the file to write (its extension names the format)")
       .value_name("FILE");
   return [options](const Context& context) { return subdivide(*options, context); };

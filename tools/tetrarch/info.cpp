@@ -97,7 +97,7 @@ Info info_of(const Triangulation& tri, const std::string& name, const Progress& 
 
 Run declare_info(OptionTable& table) {
   const auto input = std::make_shared<std::string>();
-  table.add("X", *input, "a triangulation").required();
+  table.add("X", *input, "a triangulation or a mesh").required();
   return [input](const Context& context) {
     const format::Document document = read_triangulation(*input, context);
     Info info = info_of(document.triangulation, document.name, context.progress);

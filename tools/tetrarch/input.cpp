@@ -42,7 +42,7 @@ format::Document triangulation_of(format::Soup soup, const Context& context, boo
   }
   if (soup.tetrahedra.empty() && !soup.triangles.empty()) {
     soup = mesh::fill(soup, context.progress);
-    warnings.push_back("a surface: filled with " + std::to_string(soup.tetrahedra.size()) +
+    warnings.push_back("the surface was filled with " + std::to_string(soup.tetrahedra.size()) +
                        " tetrahedra by TetGen");
   }
   const mesh::Report report = mesh::validate(soup, 1);
@@ -94,10 +94,11 @@ format::Document spelled_out(const std::string& argument) {
   try {
     if (looks_like_signature(argument)) return format::document_of(from_signature(argument));
   } catch (const InputError& e) {
-    throw InputError(in_quotes(argument) + " is no file and no census name; as a signature: " + e.what());
+    throw InputError(in_quotes(argument) +
+                     " is neither a file nor a census name, and as a signature it is wrong: " + e.what());
   }
   throw InputError(in_quotes(argument) +
-                   " is no file, and neither a census name nor an isomorphism signature");
+                   " is neither a file, nor a census name, nor an isomorphism signature");
 }
 
 /// The mesh in a file, or nothing if something else is in it, which is then `text`.
@@ -147,8 +148,9 @@ format::Soup read_soup(const std::string& argument, const Context& context) {
   }
   if (is_json(argument)) return format::read_mesh_json(argument, given_json).soup;
   if (!is_file(argument))
-    throw InputError({argument, 0},
-                     "no such file (expected a mesh: other triangulations have no coordinates)");
+    throw InputError(
+        {argument, 0},
+        "there is no such file (expected a mesh, because other triangulations have no coordinates)");
   return format::read_soup_file(argument);
 }
 

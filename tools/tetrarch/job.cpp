@@ -74,7 +74,7 @@ void require_different(const std::vector<Result::File>& files) {
   std::set<std::filesystem::path> paths;
   for (const Result::File& file : files)
     if (!paths.insert(std::filesystem::weakly_canonical(std::filesystem::absolute(file.path))).second)
-      throw InputError({file.path, 0}, "two results are to be written to this file; nothing was");
+      throw InputError({file.path, 0}, "two results have this file name; nothing was written");
 }
 
 void deliver(const Result& result, const Common& common, const std::string& speaker) {
@@ -88,7 +88,7 @@ void deliver(const Result& result, const Common& common, const std::string& spea
   else
     std::cout << result.text;
   std::cout.flush();
-  if (!std::cout) throw InputError("standard output cannot be written to");
+  if (!std::cout) throw InputError("cannot write to standard output");
 }
 
 } // namespace

@@ -78,7 +78,7 @@ void require_there(const Complex& complex, const Move& move) {
   if (move.kind == moves::MoveKind::pack) return;
   if (move.tet >= complex.slot_count() || !complex.is_alive(move.tet))
     throw InputError("the move " + in_quotes(move.str()) + " names tetrahedron " + std::to_string(move.tet) +
-                     ": there is none of that number among " + std::to_string(complex.size()));
+                     ", which does not exist; the number of tetrahedra is " + std::to_string(complex.size()));
 }
 
 /// The triangle and the edge in it that a pinch is made at, seen from the side of lesser number.
@@ -199,19 +199,18 @@ Result make_moves(const Options& options, const Context& context) {
 
 Run declare_move(OptionTable& table) {
   const auto options = std::make_shared<Options>();
-  table.add("X", options->input, "a triangulation or mesh").required();
+  table.add("X", options->input, "a triangulation or a mesh").required();
   table.add("MOVE", options->words,
-            "a name and the numbers of its place, as --list shows them: 2-3 0 1 is across face 1 of "
-            "tetrahedron 0; several are made one after the other, all or none");
-  table.add("--list", options->list,
-            "make no move, but list those that are legal, of the kinds named or all");
-  table.add("--log", options->log, "make the moves of a file, as simplify --moves writes it")
+            "a move and its place, as --list shows them: 2-3 0 1 is the move across face 1 of tetrahedron 0; "
+            "one illegal move cancels all");
+  table.add("--list", options->list, "list the legal moves, of the named kinds or of all, and make none");
+  table.add("--log", options->log, "make the moves in this file, as simplify --moves writes them")
       .value_name("FILE");
   table.add("-o,--output", options->output, "the file to write (its extension names the format)")
       .value_name("FILE");
   return [options](const Context& context) {
     if (options->words.empty() == options->log.empty() && !options->list)
-      throw InputError("expected moves, either typed or by --log FILE");
+      throw InputError("expected moves, or a file of moves (--log FILE)");
     return make_moves(*options, context);
   };
 }

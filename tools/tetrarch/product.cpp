@@ -53,15 +53,14 @@ void check(const Options& options) {
     require_folder(path);
     if (!scene::scene_format_for_extension(path) && !format::has_extension(path, ".json") &&
         !format::has_extension(path, ".mesh") && !format::has_extension(path, ".html"))
-      throw InputError({path, 0},
-                       "nothing that can be written has this extension (expected .json, .vtu, .mesh, "
-                       ".glb, .ply, .obj or .html)");
+      throw InputError({path, 0}, "this command writes no file with this extension (expected .json, .vtu, "
+                                  ".mesh, .glb, .ply, .obj or .html)");
     if (format::has_extension(path, ".html") && scene::texture_viewer_page().empty())
       throw InputError({path, 0}, std::string(scene::viewer_missing_reason()));
   }
   if (options.hex == 0 && options.layers > 0) throw InputError("--layers needs --hex");
   if (options.hex > 0 && !options.polycube.empty())
-    throw InputError("--hex and --polycube are two ways to hexahedra: expected one of them");
+    throw InputError("--hex and --polycube exclude each other: expected one of them");
   if (options.hex == 0 && options.polycube.empty() && options.smooth)
     throw InputError("--smooth needs --hex or --polycube");
   if (options.floor_map != "rectangle" && !options.corners.empty())
@@ -85,9 +84,10 @@ void refuse_volumes(const format::Soup& soup, const mesh::Report& report) {
   const auto found = std::find_if(report.findings.begin(), report.findings.end(), bad);
   if (found == report.findings.end()) return;
   const std::int64_t count = report.count(mesh::Kind::inverted) + report.count(mesh::Kind::flat);
-  throw InputError(mesh::place_of(*found, soup),
-                   found->text + (count > 1 ? ", and " + std::to_string(count - 1) + " more like it" : "") +
-                       (found->kind == mesh::Kind::inverted ? " (--repair turns inverted ones)" : ""));
+  throw InputError(
+      mesh::place_of(*found, soup),
+      found->text + (count > 1 ? ", and " + std::to_string(count - 1) + " more of this kind" : "") +
+          (found->kind == mesh::Kind::inverted ? " (--repair turns inverted tetrahedra over)" : ""));
 }
 
 /// Bad elements are told by the file's own numbers and lines.
@@ -163,7 +163,7 @@ void add_polycube(ProductMade& made, const product::Solid& solid, const product:
   for (const int v : solid.vertex) {
     if (v >= static_cast<int>(soup.points.size()))
       throw InputError({options.polycube, 0},
-                       "there is no image of vertex v" + std::to_string(v) + ": the file has " +
+                       "the polycube has no image of vertex v" + std::to_string(v) + ": the file has " +
                            counted(static_cast<long long>(soup.points.size()), "vertex"));
     image.push_back(soup.points[v]);
   }
@@ -240,13 +240,13 @@ ProductMade make(const Options& options, const Context& context) {
   if (!field.critical.none()) {
     made.status = Status::proved_no;
     if (!options.anyway) {
-      made.report.warnings.emplace_back(
-          "the field has critical places, so it makes no product; nothing is written (--anyway goes on)");
+      made.report.warnings.emplace_back("the field has critical points, so the solid is no product with this "
+                                        "partition; nothing was written (--anyway goes on)");
       return made;
     }
   }
   if (floor.flipped == floor.mesh.surface.triangle_count()) {
-    made.report.warnings.emplace_back("there is no map of the floor to start from; nothing is written");
+    made.report.warnings.emplace_back("there is no map of the floor; nothing was written");
     return made;
   }
   add_coordinates(made, floor, field.harmonic, options, context);
@@ -280,77 +280,84 @@ Run declare_product(OptionTable& table) {
   table.add("MESH", o->input, "a handlebody of tetrahedra: .mesh, .msh, .node/.ele, .vtk or .vtu").required();
   table
       .add("--labels", o->partition.labels,
-           "labels of floor and ceiling among the triangles of the file, such as 1,2; walls have others "
+           "labels of floor and ceiling on the triangles of the file, such as 1,2; walls have other labels "
            "or none")
       .value_name("F,C");
   table
       .add("--floor", o->partition.floor,
-           "a seed for the floor, v17: vertex 17, counted from 0; from there on, triangles are flooded")
+           "a seed from which the floor is flooded; v17 is vertex 17, counted from 0")
       .value_name("VERTEX");
-  table.add("--ceiling", o->partition.ceiling, "a seed for the ceiling").value_name("VERTEX");
+  table.add("--ceiling", o->partition.ceiling, "a seed from which the ceiling is flooded")
+      .value_name("VERTEX");
   table
       .add("--threshold", o->partition.threshold,
-           "of flooding: how far normals may differ from that at the seed, as 1 - cosine")
+           "greatest 1 - cosine between a normal and the normal at the seed, while flooding")
       .in_range(0.0, 2.0)
       .with_default();
   table
       .add("--cycle", o->partition.cycles,
-           "a rim between floor or ceiling and wall: vertices along boundary edges, 3,17,20; repeated")
+           "a rim between a wall and the floor or ceiling: vertices along boundary edges, such as 3,17,20; "
+           "repeated")
       .value_name("LIST");
   table
       .add("--tunnel", o->partition.tunnels,
-           "a loop around a wall, likewise; with --extend; repeated, once for each wall")
+           "a loop around a wall, given as for --cycle; needs --extend; repeated, once for each wall")
       .value_name("LIST");
-  table.add("--extend", o->partition.extend, "how far tunnel loops are extended to both sides");
+  table.add("--extend", o->partition.extend, "distance by which tunnel loops extend to both sides");
   table
       .add("--outer", o->partition.outer,
-           "a vertex on the wall that is to be the outer one (default: that with the longest rim)")
+           "a vertex on the outer wall (default: the wall with the longest rim)")
       .value_name("VERTEX");
   table
       .add("--floor-map", o->floor_map,
-           "the unit disk with round holes, or a rectangle with rectangular ones")
+           "image of the floor: the unit disk with round holes, or a rectangle with rectangular holes")
       .one_of({"circular", "rectangle"})
       .with_default();
-  table.add("--corners", o->corners, "of the rectangle: four vertices of the outer rim, such as 3,17,20,8")
+  table
+      .add("--corners", o->corners,
+           "corners of the rectangle: four vertices of the outer rim, such as 3,17,20,8")
       .value_name("LIST");
-  table.add("--height", o->height, "of the domain (default: that which keeps the floor's aspect ratio)")
+  table
+      .add("--height", o->height,
+           "height of the domain (default: the height that keeps the floor's aspect ratio)")
       .positive();
   table
       .add("--follow", o->follow,
-           "what fibres follow: means of the gradient at vertices, or the gradient itself")
+           "direction of the fibers: means of the gradient at vertices, or the gradient itself")
       .one_of({"smoothed", "gradient"})
       .with_default();
   table
       .add("--weights", o->weights,
-           "of the field: cotangents, or those with negative ones set to 0, so that it has no extrema "
-           "inside; auto takes these where cotangents leave critical places")
+           "weights of the field: cotangents, or cotangents with negative ones set to 0, which allow no "
+           "extrema inside; auto changes to the second if the first leave critical points")
       .one_of({"auto", "cotangent", "clamped"})
       .with_default();
-  table.add("--anyway", o->anyway, "go on where the field has critical places");
+  table.add("--anyway", o->anyway, "go on in spite of critical points");
   table
       .add("--hex", o->hex,
-           "make hexahedra, so many across the rectangle's width (implies --floor-map rectangle)")
+           "make hexahedra, this many across the rectangle's width (implies --floor-map rectangle)")
       .in_range(1, 100'000);
-  table.add("--layers", o->layers, "of hexahedra (default: as high as wide)").in_range(1, 100'000);
-  table.add("--smooth", o->smooth, "improve hexahedra, moving points inside");
+  table.add("--layers", o->layers, "number of layers of hexahedra (default: as high as wide)")
+      .in_range(1, 100'000);
+  table.add("--smooth", o->smooth, "improve hexahedra by moving points inside the solid");
   table
       .add("--polycube", o->polycube,
-           "make hexahedra by a polycube: a mesh whose vertex k is the image, on a surface of cubes, of the "
-           "solid's vertex k; those inside do not matter")
+           "make hexahedra from a polycube: a mesh whose vertex k is the image of the solid's vertex k on a "
+           "surface of cubes; vertices inside the solid do not matter")
       .value_name("MESH");
-  table.add("--step", o->step, "of the lattice of the polycube's corners").positive().with_default();
-  table.add("--cells", o->cells, "hexahedra along a step").in_range(1, 1000).with_default();
-  table.add("--show", o->show, "what is written: the solid, or its domain")
+  table.add("--step", o->step, "lattice step of the polycube's corners").positive().with_default();
+  table.add("--cells", o->cells, "number of hexahedra along a lattice step").in_range(1, 1000).with_default();
+  table.add("--show", o->show, "content of the files: the solid, or its domain")
       .one_of({"solid", "domain"})
       .with_default();
-  table.add("--fibers", o->fibers, "so many fibres are drawn").in_range(0, 100'000).with_default();
+  table.add("--fibers", o->fibers, "number of fibers to draw").in_range(0, 100'000).with_default();
   table
       .add("-o,--output", o->outputs,
-           "tetrahedra or hexahedra with their data (.json, .vtu, .mesh), the surface with fibres (.glb, "
-           ".ply, "
-           ".obj), or a page with solid and domain (.html); may be repeated")
+           "write tetrahedra or hexahedra with their data (.json, .vtu, .mesh), the surface with fibers "
+           "(.glb, .ply, .obj), or a page with solid and domain (.html); may be repeated")
       .value_name("FILE");
-  table.add("--repair", o->repair, "turn inverted tetrahedra, remove duplicates and unused points first");
+  table.add("--repair", o->repair,
+            "first repair the mesh: orientation, duplicates, unused vertices, degenerate triangles");
   return [o](const Context& context) { return run_product(*o, context); };
 }
 

@@ -33,7 +33,7 @@ int in_solid(const product::Solid& solid, const char* option, const std::string&
                       std::to_string(count - 1));
   if (solid.on_boundary[static_cast<std::size_t>(vertex)] < 0)
     throw refusal(option, word,
-                  "v" + std::to_string(vertex) + " is inside of the solid, not on its boundary");
+                  "v" + std::to_string(vertex) + " is inside the solid and not on its boundary");
   return static_cast<int>(vertex);
 }
 
@@ -50,7 +50,7 @@ std::vector<std::vector<int>> walks_in(const product::Solid& solid, const char* 
   for (const std::string& word : words) {
     std::vector<int>& walk = walks.emplace_back();
     for (const long long v : vertices_in(option, word)) walk.push_back(in_solid(solid, option, word, v));
-    if (walk.size() < 3) throw refusal(option, word, "expected a closed walk of three vertices at least");
+    if (walk.size() < 3) throw refusal(option, word, "expected a closed walk of at least three vertices");
   }
   return walks;
 }
@@ -74,13 +74,13 @@ std::vector<int> pointed_out(const product::Solid& solid, const format::Soup& so
     return product::bases_between_cycles(solid, walks_in(solid, "--cycle", options.cycles));
   }
   if (!options.tunnels.empty()) {
-    if (!(options.extend > 0)) throw InputError("--tunnel needs --extend, a length");
+    if (!(options.extend > 0)) throw InputError("--tunnel needs a length (--extend)");
     how = "beyond the tunnels given";
     return product::bases_beyond_tunnels(solid, walks_in(solid, "--tunnel", options.tunnels), options.extend);
   }
   if (options.floor.empty() && options.ceiling.empty()) return {};
   if (options.floor.empty() || options.ceiling.empty())
-    throw InputError("--floor and --ceiling are both needed: a seed for each");
+    throw InputError("--floor and --ceiling need each other: expected a seed for both");
   how = "flooded from " + options.floor + " and " + options.ceiling;
   return product::bases_by_flooding(
       solid, {{seed_in(solid, "--floor", options.floor), seed_in(solid, "--ceiling", options.ceiling)},
@@ -106,8 +106,8 @@ PartitionedSolid partitioned(product::Solid solid, const format::Soup& soup, con
   if (base.empty()) {
     auto found = product::automatic_partition(solid, {.threads = context.threads}, context.progress);
     if (!found)
-      throw InputError("no partition was found without help, which proves nothing; --floor and --ceiling, "
-                       "--labels, --cycle or --tunnel tell one");
+      throw InputError("the search found no partition, which proves nothing; give one by --labels, --cycle, "
+                       "--tunnel, or --floor and --ceiling");
     if (options.outer.empty())
       return {std::move(found->solid), std::move(found->partition), std::move(found->how)};
     solid = std::move(found->solid);

@@ -79,8 +79,8 @@ Report floor_report(const product::FloorMap& floor) {
     report.rows.emplace_back("rectangle", "1 x " + fixed(floor.height, 6));
   }
   if (!floor.found)
-    report.warnings.emplace_back("the map of the floor was not found within the budget; its mesh may be too "
-                                 "coarse, or its corners ill placed (--corners)");
+    report.warnings.emplace_back("no map of the floor was found within the budget; the mesh of the floor may "
+                                 "be too coarse, or its corners badly placed (--corners)");
   return report;
 }
 
@@ -143,8 +143,9 @@ Report coordinates_report(const product::Coordinates& coordinates) {
                                     : ""));
   if (!texts.empty()) {
     report.rows.emplace_back("", joined(texts, ", ") + more(coordinates.stuck.size()));
-    report.warnings.push_back(counted(static_cast<long long>(texts.size()), "fibre") +
-                              " did not arrive; the places are listed, and --weights clamped may help");
+    report.warnings.push_back(
+        counted(static_cast<long long>(texts.size()), "fiber") +
+        " failed to reach the floor; the places are listed, and --weights clamped may help");
   }
   return report;
 }
@@ -172,12 +173,12 @@ Report confirmation_report(const product::Confirmation& confirmation) {
                                  {"worst_vertex", confirmation.worst},
                                  {"farther_than_an_edge", confirmation.off},
                                  {"not_arrived", confirmation.not_arrived}};
-  report.rows.emplace_back("the opposite way", scientific(confirmation.mean_distance, 1) +
-                                                   " mean edges off on average, " +
-                                                   scientific(confirmation.max_distance, 1) + " at most (v" +
-                                                   std::to_string(confirmation.worst) + "), " +
-                                                   counted(confirmation.off, "vertex") + " more than one, " +
-                                                   std::to_string(confirmation.not_arrived) + " not arrived");
+  report.rows.emplace_back("the opposite way",
+                           scientific(confirmation.mean_distance, 1) + " mean edges off on average, " +
+                               scientific(confirmation.max_distance, 1) + " at most (v" +
+                               std::to_string(confirmation.worst) + "), " +
+                               counted(confirmation.off, "vertex") + " off by more than an edge, " +
+                               std::to_string(confirmation.not_arrived) + " lost on the way");
   return report;
 }
 
@@ -215,7 +216,7 @@ Report hexahedra_report(const product::SolidHexahedra& hexahedra, const product:
   if (!texts.empty()) report.rows.emplace_back("bad", joined(texts, ", ") + more(quality.bad.size()));
   if (hexahedra.left_out > 0)
     report.warnings.push_back(counted(hexahedra.left_out, "hexahedron") +
-                              " left out beside fibres that did not arrive");
+                              " left out beside fibers that failed to arrive");
   return report;
 }
 

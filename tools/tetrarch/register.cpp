@@ -78,7 +78,7 @@ slit::CircularMap circles(const slit::OneForms& forms, int outer, int inner, boo
   if (unflip) slit::unflip_in_disk(forms.mesh(), map);
   if (!map.domain.found) {
     result.status = Status::undecided;
-    result.warnings.emplace_back("the circles are not round within the budget of rounds");
+    result.warnings.emplace_back("the budget of rounds ended before the circles became round");
   }
   return map;
 }
@@ -104,7 +104,7 @@ void tell(Result& result, const slit::Registration& r, const std::vector<int>& m
              {"flipped", flipped == 0 ? "none" : counted(flipped, "triangle")}});
   if (flipped > 0)
     result.warnings.push_back(counted(flipped, "triangle") + (flipped == 1 ? " is" : " are") +
-                              " turned over; --unflip moves vertices until none is");
+                              " inverted; --unflip moves vertices until no triangle is inverted");
 }
 
 /// The shape, with the places of its vertices in SECOND's disk and on FIRST.
@@ -143,7 +143,7 @@ Result run_register(const Options& options, const Context& context) {
     if (!scene::scene_format_for_extension(path) && !is_json(path))
       throw InputError(
           {path, 0},
-          "nothing that can be written has this extension (expected .json, .obj, .ply, .vtu or .glb)");
+          "this command writes no file with this extension (expected .json, .obj, .ply, .vtu or .glb)");
   }
   Result result;
   const Input first = read(options.first, options.repair, result, context);
@@ -178,27 +178,32 @@ Result run_register(const Options& options, const Context& context) {
 
 Run declare_register(OptionTable& table) {
   const auto o = std::make_shared<Options>();
-  table.add("FIRST", o->first, "a sphere with two holes or more: OBJ, OFF, PLY or STL").required();
-  table.add("SECOND", o->second, "another one with as many holes").required();
+  table.add("FIRST", o->first, "a sphere with two or more holes: OBJ, OFF, PLY or STL").required();
+  table.add("SECOND", o->second, "a surface with equally many holes").required();
   table
       .add("--match", o->match,
-           "for each boundary loop of FIRST the one of SECOND, such as 0,2,1 or v3,v17,v20 (default: those "
-           "of the same number)")
+           "the loop of SECOND that matches each boundary loop of FIRST, such as 0,2,1 or v3,v17,v20 "
+           "(default: the loop of the same number)")
       .value_name("LIST");
-  table.add("--outer", o->outer, "the loop of FIRST that becomes the outer circle of the disk, as for slit")
+  table
+      .add("--outer", o->outer,
+           "the loop of FIRST that becomes the outer circle of the disk, named as for slit")
       .value_name("LOOP")
       .with_default();
-  table.add("--inner", o->inner, "and the one about its centre").value_name("LOOP").with_default();
-  table.add("--unflip", o->unflip, "move vertices in the disks until no triangle is flipped");
+  table.add("--inner", o->inner, "the loop of FIRST that becomes a circle about the center of the disk")
+      .value_name("LOOP")
+      .with_default();
+  table.add("--unflip", o->unflip, "move vertices in the disks until no triangle is inverted");
   table.add("--as-placed", o->as_placed,
-            "compare and average where the surfaces are, without moving SECOND to FIRST");
+            "compare and average the surfaces in place, without moving SECOND to FIRST");
   table
       .add("-o,--output", o->resampled,
-           "SECOND's shape with FIRST's vertices and triangles (.json, .obj, .ply, .vtu or .glb)")
+           "write SECOND's shape with FIRST's vertices and triangles (.json, .obj, .ply, .vtu or .glb)")
       .value_name("FILE");
-  table.add("--average", o->average, "the shape half-way between both, likewise").value_name("FILE");
+  table.add("--average", o->average, "write the shape halfway between the two surfaces, in the same formats")
+      .value_name("FILE");
   table.add("--repair", o->repair,
-            "mend orientation, unused vertices, duplicates, degenerate triangles first");
+            "first repair the mesh: orientation, duplicates, unused vertices, degenerate triangles");
   return [o](const Context& context) { return run_register(*o, context); };
 }
 

@@ -30,11 +30,11 @@ struct Options {
 void declare_shared(OptionTable& table, Options& options) {
   table.add("-o,--output", options.output, "the file to write (its extension names the format)")
       .value_name("FILE");
-  table.add("--moves", options.log, "write the log of all moves, one a line, to a file").value_name("FILE");
+  table.add("--moves", options.log, "write a log of all moves to this file, one per line").value_name("FILE");
   table.add("--repair", options.repair,
-            "mend in a mesh what can be mended: orientation, unused vertices, duplicates");
+            "first repair the mesh: orientation, duplicates, unused vertices, degenerate triangles");
   table.add("--audit", options.audit,
-            "recheck every 1,000th move against everything computed from nothing; slow");
+            "compare the triangulation with one built from nothing after every 1,000th move; slow");
 }
 
 /// What a run has cost and made, beside the triangulation itself.
@@ -66,7 +66,7 @@ std::function<void(const moves::Complex&)> auditor(const Triangulation& input) {
     if (!is_valid(skeleton) || skeleton.vertex_count() != complex.vertex_count() ||
         skeleton.edge_count() != complex.edge_count() ||
         skeleton.boundary_face_count() != complex.boundary_face_count() || homology(tri, skeleton) != before)
-      throw PreconditionError("the audit found the complex wrong at " + std::to_string(complex.size()) +
+      throw PreconditionError("the audit found a fault in the complex at " + std::to_string(complex.size()) +
                               " tetrahedra");
   };
 }
@@ -155,7 +155,7 @@ Result truncate(const Options& options, const Context& context) {
   Result result = deliver(options, run, std::move(made.tri), std::move(info));
   if (made.finite_vertices > 0)
     result.warnings.push_back("the result has " + counted(made.finite_vertices, "finite vertex") +
-                              ": without other boundary there is nothing to truncate");
+                              ", because there is no other boundary to truncate at");
   return result;
 }
 
@@ -163,7 +163,7 @@ Result truncate(const Options& options, const Context& context) {
 
 Run declare_simplify(OptionTable& table) {
   const auto options = std::make_shared<Options>();
-  table.add("X", options->input, "a triangulation, or a mesh").required();
+  table.add("X", options->input, "a triangulation or a mesh").required();
   table.add("--keep-boundary", options->keep_boundary,
             "leave the triangles of the real boundary as they are");
   declare_shared(table, *options);
@@ -175,8 +175,7 @@ Run declare_truncate(OptionTable& table) {
   table
       .add("MESH", options->input, "a mesh of tetrahedra, a closed surface, or a triangulation with boundary")
       .required();
-  table.add("--keep-spheres", options->keep_spheres,
-            "truncate at boundary spheres too instead of filling them in");
+  table.add("--keep-spheres", options->keep_spheres, "truncate boundary spheres instead of filling them in");
   declare_shared(table, *options);
   return [options](const Context& context) { return truncate(*options, context); };
 }

@@ -105,7 +105,7 @@ Result describe_skeleton(const std::string& input, const Context& context) {
 
 Run declare_skeleton(OptionTable& table) {
   const auto input = std::make_shared<std::string>();
-  table.add("X", *input, "a triangulation or mesh").required();
+  table.add("X", *input, "a triangulation or a mesh").required();
   return [input](const Context& context) { return describe_skeleton(*input, context); };
 }
 

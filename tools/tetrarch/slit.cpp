@@ -65,7 +65,7 @@ void check(const Options& options) {
     if (options.quads > 0 && (!format || format == scene::SceneFormat::vtu))
       throw InputError({path, 0}, "quads are written as .obj, .glb or .ply");
     if (!format && !format::has_extension(path, ".svg") && !format::has_extension(path, ".html"))
-      throw InputError({path, 0}, "nothing that can be written has this extension (expected .json, .obj, "
+      throw InputError({path, 0}, "this command writes no file with this extension (expected .json, .obj, "
                                   ".vtu, .svg, .glb, .ply or .html)");
     if (format::has_extension(path, ".html") && scene::texture_viewer_page().empty())
       throw InputError({path, 0}, std::string(scene::viewer_missing_reason()));
@@ -76,7 +76,7 @@ void check(const Options& options) {
   if (options.is_ricci() && options.stage >= 0) throw InputError("--stage needs --method harmonic");
   if (!options.is_circular() && !options.center.empty()) throw InputError("--center needs --domain circular");
   if (options.is_circular() && options.quads > 0)
-    throw InputError("--quads needs a domain with slits, not --domain circular");
+    throw InputError("--quads needs a domain with slits, and --domain circular has none");
 }
 
 /// A map with everything that is told of it.
@@ -125,7 +125,8 @@ Made make_circles(mesh::TriangleMesh mesh, slit::CircularMap map, const Options&
   made.mesh = std::move(mesh);
   made.report = circles_report(map);
   made.found = map.domain.found;
-  if (!made.found) made.report.warnings.emplace_back("the circles are not round within the budget of rounds");
+  if (!made.found)
+    made.report.warnings.emplace_back("the budget of rounds ended before the circles became round");
   if (options.unflip) made.report.add(unflipped_report(slit::unflip_in_disk(made.mesh, map)));
   add(made, slit::distortion_in_plane(made.mesh, map.position));
   made.layout = scene::disk_layout(made.mesh, map.position);
@@ -136,7 +137,8 @@ Made make_disk(const mesh::OpenedMesh& surface, const Options& options) {
   const int center = options.center.empty() ? slit::innermost_vertex(surface.mesh)
                                             : vertex_named(options.center, "--center", surface);
   if (center < 0)
-    throw InputError({options.input, 0}, "all vertices are on the boundary; the disk needs one inside");
+    throw InputError({options.input, 0},
+                     "all vertices are on the boundary; the disk needs an interior vertex");
   slit::CircularMap map = in_file(options.input, [&] {
     return options.is_ricci() ? slit::ricci_circles(surface.mesh, 0, -1).map
                               : slit::disk_map(surface.mesh, center);
@@ -151,8 +153,8 @@ scene::Layout stage_layout(const slit::OneForms& forms, const slit::SlitMap& map
                            const slit::CircularMap& circular, int stage) {
   const auto last = static_cast<int>(circular.domain.stages.size()) - 1;
   if (stage > last)
-    throw InputError("--stage " + std::to_string(stage) + ": the last one is " + std::to_string(last) +
-                     ", when all slits are open");
+    throw InputError("--stage " + std::to_string(stage) + ": the last stage is " + std::to_string(last) +
+                     ", with all slits open");
   scene::Layout layout = scene::disk_layout(
       forms.mesh(), slit::opening_stage(forms, map, circular, static_cast<std::size_t>(stage)));
   layout.name = "circular domain, " + counted(stage, "slit") + " open";
@@ -355,60 +357,61 @@ Run declare_slit(OptionTable& table) {
   table.add("SURFACE", o->input, "a sphere with holes: OBJ, OFF, PLY or STL").required();
   table
       .add("--domain", o->domain,
-           "a cylinder with slits, the same unrolled, a ring with slits, or a disk with round holes")
+           "the domain: a cylinder with slits, its unrolling to a rectangle, a ring with slits, or a disk "
+           "with round holes")
       .one_of({"cylindric", "parallel", "concentric", "circular"})
       .with_default();
   table
       .add("--outer", o->outer,
-           "the loop that becomes the outer circle: its number, from 0 by decreasing length, or v17: "
-           "the loop through vertex 17, counted from 0")
+           "the loop that becomes the outer circle: its number, from 0 by decreasing length, or v17 for the "
+           "loop through vertex 17, counted from 0")
       .value_name("LOOP")
       .with_default();
-  table.add("--inner", o->inner, "the loop that becomes the inner circle, likewise")
+  table.add("--inner", o->inner, "the loop that becomes the inner circle, named as for --outer")
       .value_name("LOOP")
       .with_default();
   table
       .add("--method", o->method,
-           "of the circular domain: by harmonic functions and opened slits, or by discrete Ricci flow")
+           "method for the circular domain: harmonic functions and opened slits, or discrete Ricci flow")
       .one_of({"harmonic", "ricci"})
       .with_default();
   table
       .add("--center", o->center,
-           "of a surface with one loop, the vertex that goes to 0 (default: innermost)")
+           "the vertex that goes to 0, for a surface with one loop (default: the innermost)")
       .value_name("VERTEX");
   table
       .add("--punch", o->openings.punch,
-           "first punch a hole, v17:0.5 around vertex 17 with radius 0.5; may be repeated")
+           "first punch a hole; v17:0.5 is a hole of radius 0.5 around vertex 17; may be repeated")
       .value_name("HOLE");
   table
       .add("--slice", o->openings.slice,
            "first slice along shortest paths through vertices, such as 3,17,20; may be repeated")
       .value_name("LIST");
   table.add("--open-handles", o->openings.open_handles, "first cut a surface of genus g along g short loops");
-  table.add("--list-loops", o->list_loops, "list the boundary loops, and no more");
-  table.add(
-      "--fingerprint", o->fingerprint,
-      "numbers that conformal maps leave alone, extrapolated from finer triangulations, with their errors");
-  table.add("--distance", o->distance, "and how far another surface is from this one by them")
-      .value_name("SURFACE");
-  table.add("--unflip", o->unflip, "move vertices near flipped triangles until none is flipped");
-  table.add("--intrinsic", o->intrinsic,
-            "solve on the intrinsic Delaunay triangulation: better where triangles are obtuse");
+  table.add("--list-loops", o->list_loops, "list the boundary loops and stop");
+  table.add("--fingerprint", o->fingerprint,
+            "print the conformal invariants with their errors, extrapolated from finer triangulations");
   table
-      .add("--stage", o->stage, "write the circular domain before circles are made round, so many slits open")
+      .add("--distance", o->distance,
+           "print the distance between the fingerprints of this surface and of another")
+      .value_name("SURFACE");
+  table.add("--unflip", o->unflip, "move vertices near inverted triangles until no triangle is inverted");
+  table.add("--intrinsic", o->intrinsic,
+            "solve on the intrinsic Delaunay triangulation, which is better for obtuse triangles");
+  table
+      .add("--stage", o->stage,
+           "write the circular domain with this many slits open, before its circles become round")
       .not_negative();
-  table.add("--basis", o->basis, "write one form of the basis, that of this loop, in place of the domain")
-      .not_negative();
-  table.add("--quads", o->quads, "make quads, so many on the way round; written as .obj, .glb or .ply")
+  table.add("--basis", o->basis, "write the one-form of this loop instead of the domain").not_negative();
+  table.add("--quads", o->quads, "make quads, this many around the ring; written as .obj, .glb or .ply")
       .in_range(3, 1'000'000);
   table
-      .add(
-          "-o,--output", o->outputs,
-          "the surface with the domain as texture coordinates (.json, .obj, .vtu), the domain (.svg, or .glb "
-          "or .ply as a surface), or a page with both side by side (.html); may be repeated")
+      .add("-o,--output", o->outputs,
+           "write the surface with the domain as texture coordinates (.json, .obj, .vtu), the domain (.svg; "
+           "as a surface, .glb or .ply), or a page with both side by side (.html); may be repeated")
       .value_name("FILE");
   table.add("--repair", o->repair,
-            "mend orientation, unused vertices, duplicates, degenerate triangles first");
+            "first repair the mesh: orientation, duplicates, unused vertices, degenerate triangles");
   return [o](const Context& context) { return run_slit(*o, context); };
 }
 

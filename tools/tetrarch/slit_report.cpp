@@ -120,11 +120,11 @@ Report distortion_report(const slit::Distortion& d) {
                  {"flipped", flipped == 0 ? "none" : triangles(flipped)}};
   if (flipped > 0)
     report.warnings.push_back(triangles(flipped) + (flipped == 1 ? " is" : " are") +
-                              " flipped or flat, the first is " + std::to_string(d.flipped.front()) +
-                              " (counted from 0); --unflip moves vertices until none is");
+                              " inverted or flat, the first is " + std::to_string(d.flipped.front()) +
+                              " (counted from 0); --unflip moves vertices until no triangle is inverted");
   if (d.ears > 0)
     report.warnings.push_back(triangles(d.ears) + (d.ears == 1 ? " has" : " have") +
-                              " all corners on one loop and no room on the domain");
+                              " all corners on one loop, so the domain has no room for them");
   return report;
 }
 

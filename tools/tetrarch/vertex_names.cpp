@@ -17,7 +17,7 @@ std::vector<long long> vertices_in(const char* option, const std::string& word) 
   while (true) {
     const std::size_t comma = rest.find(',');
     const auto vertex = vertex_in(rest.substr(0, comma));
-    if (!vertex) throw refusal(option, word, "expected vertices with commas between them, such as 3,17,20");
+    if (!vertex) throw refusal(option, word, "expected vertices, separated by commas, such as 3,17,20");
     vertices.push_back(*vertex);
     if (comma == std::string_view::npos) return vertices;
     rest.remove_prefix(comma + 1);

@@ -77,7 +77,7 @@ Result run_view(const Options& options, const Context& context) {
   constexpr std::int64_t most_copies = 20'000; // what a browser turns smoothly
   if (options.copies > most_copies)
     throw InputError("--copies " + std::to_string(options.copies) + ": a page shows at most " +
-                     std::to_string(most_copies) + "; 'tetrarch embed' writes larger pieces to files");
+                     std::to_string(most_copies) + "; 'tetrarch embed' writes more copies to a file");
   if (scene::viewer_page().empty())
     throw InputError("this program was built without the viewer: " +
                      std::string(scene::viewer_missing_reason()));
@@ -108,10 +108,10 @@ Result run_view(const Options& options, const Context& context) {
 
 Run declare_view(OptionTable& table) {
   const auto o = std::make_shared<Options>();
-  table.add("X", o->input, "a triangulation that carries a structure").required();
-  table.add("-o,--output", o->output, "the page to write").value_name("FILE").required();
-  table.add("--copies", o->copies, "so many copies of the domain to choose from").with_default();
-  table.add("--cusp-area", o->cusp_area, "where cusps are cut off").with_default();
+  table.add("X", o->input, "a triangulation that carries a hyperbolic structure").required();
+  table.add("-o,--output", o->output, "write the page to this file").value_name("FILE").required();
+  table.add("--copies", o->copies, "greatest number of copies of the domain on the page").with_default();
+  table.add("--cusp-area", o->cusp_area, "area of the cross-section that cuts a cusp off").with_default();
   return [o](const Context& context) { return run_view(*o, context); };
 }
 

@@ -89,7 +89,7 @@ Session::Statement Session::statement_of(std::string_view line) const {
   if (statement.words.size() > 1 && statement.words.front() == "tetrarch")
     statement.words.erase(statement.words.begin());
   if (!statement.name.empty() && statement.words.empty())
-    throw InputError("nothing stands after " + statement.name + " =");
+    throw InputError("there is nothing after " + statement.name + " =");
   return statement;
 }
 
@@ -130,7 +130,7 @@ Status Session::execute(const Statement& statement, const std::string& speaker) 
   if (done.value != nullptr)
     assign(name, done.value, statement);
   else if (!statement.name.empty())
-    return complain(speaker, "nothing was made that " + name + " could name", Status::bad_input);
+    return complain(speaker, "this verb makes no value that " + name + " could name", Status::bad_input);
   return done.status;
 }
 
@@ -160,8 +160,8 @@ void Session::assign(const std::string& name, ValuePointer value, const Statemen
 
 Status Session::run_file(const std::string& path) {
   if (depth_ >= deepest)
-    throw InputError({path, 0}, "this is the file number " + std::to_string(deepest + 1) +
-                                    " that runs inside others; does it run itself?");
+    throw InputError({path, 0}, "files run each other to a depth of " + std::to_string(deepest + 1) +
+                                    "; does this file run itself?");
   const std::string source = path == "-" ? "standard input" : path;
   std::ifstream file;
   if (path != "-") {
@@ -282,18 +282,19 @@ std::vector<Command> Session::own_verbs() {
   };
   constexpr const char* session = "Values and session";
   return {
-      {session, "values", "the values that have names", "values", no_options([this] { return list(); })},
-      {session, "print", "values so that they can be pasted back in", "print Y",
-       with_names("which; nothing: all", false,
+      {session, "values", "list the named values", "values", no_options([this] { return list(); })},
+      {session, "print", "print values in a form that can be pasted back in", "print Y",
+       with_names("names of values (default: all)", false,
                   [this](const std::vector<std::string>& names) { return print(names); })},
-      {session, "log", "the lines and moves that made a value", "log Y",
-       with_word("NAME", "which", [this](const std::string& name) { return log(name); })},
+      {session, "log", "print the lines and moves that made a value", "log Y",
+       with_word("NAME", "name of a value", [this](const std::string& name) { return log(name); })},
       {session, "undo", "take back the last change of a value", "undo",
        no_options([this] { return undo(); })},
-      {session, "forget", "take names away from their values", "forget Y",
-       with_names("whose", true, [this](const std::vector<std::string>& names) { return forget(names); })},
+      {session, "forget", "forget named values", "forget Y",
+       with_names("names of values", true,
+                  [this](const std::vector<std::string>& names) { return forget(names); })},
       {session, "run", "run the lines of a file", "run moves.txt",
-       with_word("FILE", "one line a command; # begins a comment",
+       with_word("FILE", "a script with one command per line; # begins a comment",
                  [this](const std::string& path) {
                    Result result;
                    result.status = run_file(path);

@@ -53,7 +53,7 @@ Status converse(Session& session) {
 
 Run declare_shell(OptionTable& table) {
   const auto file = std::make_shared<std::string>();
-  table.add("FILE", *file, "a script, one line a command, - for standard input; nothing: type");
+  table.add("FILE", *file, "a script with one command per line, or - for standard input (default: a prompt)");
   return [file](const Context& context) {
     be_patient();
     Session session(context);

@@ -67,7 +67,7 @@ bool is_short(const format::MeshDocument& mesh) {
 std::string spelled_of(const format::MeshDocument& mesh) {
   if (!is_short(mesh))
     throw InputError("a mesh of " + counted(static_cast<long long>(mesh.soup.points.size()), "vertex") +
-                     " is nothing to paste (convert NAME --to mesh -o FILE writes it)");
+                     " is too large to paste (convert NAME --to mesh -o FILE writes it)");
   return Json::parse(write_mesh_json(mesh)).dump();
 }
 
