@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "homology.hpp"
 
+#include "tetrarch/algebra/smith.hpp"
+
 #include "tetrarch/core/skeleton.hpp"
 
 #include <algorithm>

@@ -10,11 +10,14 @@
 ///          *---*                the relations. A good mesh of a handlebody needs about as many generators as
 ///                               it has handles.
 
-#include "tetrarch/algebra/smith.hpp"
 #include "tetrarch/product/partition.hpp"
 
 #include <cstdint>
 #include <vector>
+
+namespace tetrarch::algebra {
+struct SmithForm;
+}
 
 namespace tetrarch::product {
 

@@ -4,7 +4,7 @@
 #include "tetrarch/core/error.hpp"
 #include "tetrarch/mesh/laplacian.hpp"
 
-#include <Eigen/Dense>
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <string>

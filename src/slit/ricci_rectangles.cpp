@@ -4,7 +4,7 @@
 #include "tetrarch/slit/ricci.hpp"
 #include "vertex_scaling.hpp"
 
-#include <Eigen/Dense>
+#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <string>

@@ -2,8 +2,9 @@
 #include "rounding.hpp"
 
 #include "full_turn.hpp"
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <Eigen/IterativeLinearSolvers>
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <numeric>

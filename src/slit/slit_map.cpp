@@ -5,7 +5,7 @@
 #include "slit_curve.hpp"
 #include "tetrarch/core/error.hpp"
 
-#include <Eigen/Dense>
+#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 #include <string>

@@ -9,10 +9,11 @@
 /// It is written by the JSON library, in json.cpp alone: that library's header would cost every command two
 /// seconds of compilation. Reading files is the business of the room `format`.
 
+#include <array>
 #include <concepts>
+#include <cstddef>
 #include <cstdint>
 #include <initializer_list>
-#include <ranges>
 #include <string>
 #include <string_view>
 #include <utility>
