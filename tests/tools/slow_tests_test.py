@@ -1,0 +1,155 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""tools/slow_tests: whatever a slow test may depend on makes it run again, and nothing else does.
+
+Usage: slow_tests_test.py BUILD_DIR SOURCE_DIR
+"""
+import importlib.machinery
+import importlib.util
+import os
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+
+sys.dont_write_bytecode = True
+BUILD = os.path.abspath(sys.argv[1])
+SOURCE = os.path.abspath(sys.argv[2])
+
+
+def load(path):
+    loader = importlib.machinery.SourceFileLoader("slow_tests", path)
+    module = importlib.util.module_from_spec(importlib.util.spec_from_loader("slow_tests", loader))
+    loader.exec_module(module)
+    return module
+
+
+slow = load(os.path.join(SOURCE, "tools/slow_tests"))
+
+# A small house. By the table of tools/check_layers, mesh uses core, algebra, format and moves; bundle uses core and mesh.
+HOUSE = {
+    "CMakeLists.txt": "", "CMakePresets.json": "", "tests/CMakeLists.txt": "", "tools/package/tetrarch-libraries.cmake": "",
+    "include/tetrarch/core/a.hpp": "", "src/core/a.cpp": "", "src/core/private.hpp": "",
+    "include/tetrarch/algebra/b.hpp": "", "src/algebra/b.cpp": "",
+    "include/tetrarch/mesh/m.hpp": "", "src/mesh/m.cpp": "",
+    "include/tetrarch/bundle/c.hpp": "", "src/bundle/c.cpp": "",
+    "include/tetrarch/slit/d.hpp": "", "src/slit/d.cpp": "",
+    "include/tetrarch/scene/e.hpp": "", "src/scene/e.cpp": "",
+    "tests/core/a_test.cpp": 'TEST_CASE("a", "[slow]")', "tests/core/naive.hpp": "",
+    "tests/bundle/c_test.cpp": '#include "support/laws.hpp"\nTEST_CASE("c", "[slow]")', "tests/bundle/quick_test.cpp": "",
+    "tests/algebra/b_test.cpp": '#include "slit/plain.hpp"\nTEST_CASE("b", "[bundle][slow]")',
+    "tests/scene/e_test.cpp": "",
+    "tests/slit/plain.hpp": '#include "deeper.hpp"\n', "tests/slit/deeper.hpp": "#include <tetrarch/slit/d.hpp>\n",
+    "tests/support/laws.hpp": "", "tests/support/main.cpp": "", "tests/data/x.off": "", "tests/oracle/y.txt": "",
+    "census/fmp2.json": "", "README.md": "", "tools/tetrarch/main.cpp": "",
+    "build/CMakeCache.txt": "CMAKE_CXX_COMPILER:FILEPATH=c++\nCMAKE_CXX_FLAGS_RELEASE:STRING=-O3\nTETRARCH_SANITIZE:BOOL=OFF\n",
+}
+ALL = {"core.slow", "algebra.slow", "bundle.slow"}
+# What each file must set off, by the table and by the includes above.
+SETS_OFF = {
+    "CMakeLists.txt": ALL, "CMakePresets.json": ALL, "tests/CMakeLists.txt": ALL, "tools/package/tetrarch-libraries.cmake": ALL,
+    "include/tetrarch/core/a.hpp": ALL, "src/core/a.cpp": ALL, "src/core/private.hpp": ALL,
+    "include/tetrarch/algebra/b.hpp": {"algebra.slow", "bundle.slow"}, "src/algebra/b.cpp": {"algebra.slow", "bundle.slow"},
+    "include/tetrarch/mesh/m.hpp": {"algebra.slow", "bundle.slow"}, "src/mesh/m.cpp": {"algebra.slow", "bundle.slow"},
+    "include/tetrarch/bundle/c.hpp": {"bundle.slow"}, "src/bundle/c.cpp": {"bundle.slow"},
+    "include/tetrarch/slit/d.hpp": {"algebra.slow"}, "src/slit/d.cpp": {"algebra.slow"},
+    "include/tetrarch/scene/e.hpp": set(), "src/scene/e.cpp": set(),
+    "tests/core/a_test.cpp": {"core.slow"}, "tests/core/naive.hpp": {"core.slow"}, "tests/bundle/quick_test.cpp": {"bundle.slow"},
+    "tests/slit/plain.hpp": {"algebra.slow"}, "tests/slit/deeper.hpp": {"algebra.slow"}, "tests/scene/e_test.cpp": set(),
+    "tests/support/laws.hpp": ALL, "tests/support/main.cpp": ALL, "tests/data/x.off": ALL, "tests/oracle/y.txt": ALL,
+    "census/fmp2.json": ALL, "README.md": set(), "tools/tetrarch/main.cpp": set(), "build/CMakeCache.txt": ALL,
+}
+
+
+class House(unittest.TestCase):
+    """The small house in a folder of its own; all its slow tests have passed."""
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.root = folder.name
+        for name, content in HOUSE.items():
+            self.write(name, content)
+        self.assertEqual(self.selected(), ALL)  # nothing is noted yet
+        slow.record(self.root, self.build(), [])
+        self.assertEqual(self.selected(), set())
+
+    def build(self):
+        return os.path.join(self.root, "build")
+
+    def write(self, name, content):
+        path = os.path.join(self.root, name)
+        os.makedirs(os.path.dirname(path), exist_ok=True)
+        with open(path, "w", encoding="utf-8") as file:
+            file.write(content)
+
+    def selected(self):
+        must, left_out = slow.select(self.root, self.build())
+        self.assertEqual(set(must) | set(left_out), ALL)
+        self.assertEqual(set(must) & set(left_out), set())
+        return set(must)
+
+    def test_a_changed_file_sets_off_what_depends_on_it(self):
+        for name, expected in SETS_OFF.items():
+            self.write(name, HOUSE[name].replace("-O3", "-O2") if name.startswith("build/") else HOUSE[name] + "\n// more")
+            self.assertEqual(self.selected(), expected, name)
+            self.write(name, HOUSE[name])
+            self.assertEqual(self.selected(), set(), name)
+
+    def test_a_new_file_and_a_lost_one_set_off_the_same(self):
+        self.write("src/mesh/new.cpp", "")
+        self.assertEqual(self.selected(), {"algebra.slow", "bundle.slow"})
+        os.remove(os.path.join(self.root, "src/mesh/new.cpp"))
+        os.remove(os.path.join(self.root, "src/bundle/c.cpp"))
+        self.assertEqual(self.selected(), {"bundle.slow"})
+
+    def test_a_new_include_in_a_test_brings_its_room(self):
+        self.write("tests/support/laws.hpp", "#include <tetrarch/scene/e.hpp>\n")
+        slow.record(self.root, self.build(), [])
+        self.write("src/scene/e.cpp", "int more;")
+        self.assertEqual(self.selected(), {"bundle.slow"})
+
+    def test_another_compiler_sets_off_all(self):
+        self.write("other", "#!/bin/sh\necho 'another 99.0'\n")
+        os.chmod(os.path.join(self.root, "other"), 0o755)
+        self.write("build/CMakeCache.txt", HOUSE["build/CMakeCache.txt"].replace("=c++", "=" + os.path.join(self.root, "other")))
+        self.assertEqual(self.selected(), ALL)
+
+    def test_notes_that_cannot_be_read_or_are_old_run_everything(self):
+        for notes in ("", "{", '{"core.slow": "0"}', "[]", "null"):
+            self.write("tests/slow_passed.json", notes)
+            self.assertEqual(self.selected(), ALL, notes)
+
+    def test_what_passed_alone_is_noted_alone(self):
+        self.write("src/core/a.cpp", "int more;")
+        slow.record(self.root, self.build(), ["core.slow"])
+        self.assertEqual(self.selected(), ALL - {"core.slow"})
+
+
+class OurHouse(unittest.TestCase):
+    def test_every_room_with_a_slow_test_is_in_the_build(self):
+        with open(os.path.join(SOURCE, "tests/CMakeLists.txt"), encoding="utf-8") as file:
+            listed = re.search(r"set\(rooms_with_slow_tests ([^)]*)\)", file.read()).group(1).split()
+        self.assertEqual(sorted(listed), sorted(slow.rooms_with_slow_tests(SOURCE, slow.table())))
+
+    def test_every_file_that_the_compiler_read_counts(self):
+        """The second route: what Ninja noted when it built the tests of a room."""
+        known = slow.table()
+        for room in slow.rooms_with_slow_tests(SOURCE, known):
+            count = {os.path.join(SOURCE, name) for name in slow.names(SOURCE, room, known)}
+            objects = [f"tests/CMakeFiles/test_{room}.dir/{room}/{name}.o"
+                       for name in os.listdir(os.path.join(SOURCE, "tests", room)) if name.endswith(".cpp")]
+            told = subprocess.run(["ninja", "-C", BUILD, "-t", "deps", *objects], capture_output=True, text=True, check=True)
+            was_read = {os.path.normpath(os.path.join(BUILD, line.strip())) for line in told.stdout.splitlines()
+                        if line.startswith("    ")}
+            ours = {path for path in was_read if path.startswith(SOURCE + "/") and not path.startswith(BUILD + "/")}
+            self.assertGreater(len(ours), 3, room)
+            self.assertEqual(ours - count, set(), room)
+
+
+if __name__ == "__main__":
+    if not shutil.which("ninja") or not os.path.exists(os.path.join(BUILD, "build.ninja")):
+        sys.exit("slow_tests_test.py: needs a build made by Ninja")
+    unittest.main(argv=sys.argv[:1])
