@@ -55,11 +55,10 @@ inline std::string as_script(const Json& data) {
   return text;
 }
 
-/// A bundled viewer with what `data` returns in its place for the scene; nothing where the viewer is missing.
+/// A bundled viewer with what `data` returns in its place for the scene.
 template <class MakeData>
 std::string filled(std::string_view viewer, MakeData data) {
   constexpr std::string_view slot = "TETRARCH_SCENE";
-  if (viewer.empty()) return {};
   const std::size_t at = viewer.find(slot);
   if (at == std::string_view::npos)
     throw PreconditionError("write_page: the viewer has no place for the scene");

@@ -159,6 +159,57 @@ async function checkMotion(visit, eyes, name, expectChange, reset) {
   said('dragging, wheel, keys, reset and saving work; nothing is drawn at rest');
 }
 
+/// The graphics card may forget everything it was told, as it does when a machine sleeps.
+async function checkLoss(visit, eyes, name) {
+  const before = await visit.picture();
+  await visit.after(() =>
+    visit.tab.evaluate(async () => {
+      const card = document.getElementById('canvas').getContext('webgl2').getExtension('WEBGL_lose_context');
+      card.loseContext();
+      await new Promise((resolve) => setTimeout(resolve, 100));
+      card.restoreContext();
+    }),
+  );
+  check(
+    (await eyes.difference(before, await visit.picture())) === 0,
+    `${name}: the picture is another one after the graphics card lost it`,
+  );
+  said('the picture comes back after the graphics card lost it');
+}
+
+/// Two fingers that part to twice their distance show everything twice as large.
+async function checkPinch(browser, file, name) {
+  const visit = await Visit.open(browser, file, { hash: '#zoom=1' });
+  const { x, y, width, height } = await visit.tab.locator('#canvas').boundingBox();
+  const before = await visit.settings();
+  await visit.after(() =>
+    visit.tab.evaluate(
+      ([left, right, level]) => {
+        const canvas = document.getElementById('canvas');
+        canvas.setPointerCapture = () => {}; // no such finger
+        const touch = (type, pointerId, clientX) =>
+          canvas.dispatchEvent(
+            new PointerEvent(type, { pointerId, clientX, clientY: level, pointerType: 'touch' }),
+          );
+        touch('pointerdown', 71, left);
+        touch('pointerdown', 72, right);
+        touch('pointermove', 71, left - 20);
+        touch('pointermove', 72, right + 20);
+        touch('pointerup', 71, left - 20);
+        touch('pointerup', 72, right + 20);
+      },
+      [x + width / 2 - 20, x + width / 2 + 20, y + height / 2],
+    ),
+  );
+  const after = await visit.settings();
+  check(
+    Math.abs(after.zoom / before.zoom - 2) < 1e-6,
+    `${name}: fingers that part to twice their distance zoom from ${before.zoom} to ${after.zoom}`,
+  );
+  await visit.close();
+  said('two fingers come nearer');
+}
+
 async function checkKeyboard(visit, name) {
   await visit.tab.evaluate(() => document.activeElement.blur());
   const reached = new Set();
@@ -316,6 +367,7 @@ async function checkPage(browser, eyes, file) {
   await checkTables(visit, name);
   await checkViews(visit, eyes, name);
   await checkControls(visit, eyes, name);
+  await checkLoss(visit, eyes, name);
   await checkKeyboard(visit, name);
   check(visit.troubles.length === 0, `${name}: ${visit.troubles.join('; ')}`);
   await visit.close();
@@ -335,6 +387,7 @@ try {
   console.log('every page');
   await checkDark(browser, eyes, args[0], basename(args[0]));
   await checkAddress(browser, args[0], basename(args[0]));
+  await checkPinch(browser, args[0], basename(args[0]));
   console.log('pages that cannot be shown');
   await checkComplaints(browser, args[0], folder);
 } catch (error) {

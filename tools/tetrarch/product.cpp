@@ -16,7 +16,6 @@
 #include "tetrarch/mesh/validate.hpp"
 #include "tetrarch/product/polycube.hpp"
 #include "tetrarch/scene/files.hpp"
-#include "tetrarch/scene/page.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -55,8 +54,6 @@ void check(const Options& options) {
         !format::has_extension(path, ".mesh") && !format::has_extension(path, ".html"))
       throw InputError({path, 0}, "this command writes no file with this extension (expected .json, .vtu, "
                                   ".mesh, .glb, .ply, .obj or .html)");
-    if (format::has_extension(path, ".html") && scene::texture_viewer_page().empty())
-      throw InputError({path, 0}, std::string(scene::viewer_missing_reason()));
   }
   if (options.hex == 0 && options.layers > 0) throw InputError("--layers needs --hex");
   if (options.hex > 0 && !options.polycube.empty())

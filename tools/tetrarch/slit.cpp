@@ -67,8 +67,6 @@ void check(const Options& options) {
     if (!format && !format::has_extension(path, ".svg") && !format::has_extension(path, ".html"))
       throw InputError({path, 0}, "this command writes no file with this extension (expected .json, .obj, "
                                   ".vtu, .svg, .glb, .ply or .html)");
-    if (format::has_extension(path, ".html") && scene::texture_viewer_page().empty())
-      throw InputError({path, 0}, std::string(scene::viewer_missing_reason()));
   }
   if (!options.is_circular() && options.stage >= 0) throw InputError("--stage needs --domain circular");
   if (!options.is_circular() && options.is_ricci())

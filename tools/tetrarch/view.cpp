@@ -78,9 +78,6 @@ Result run_view(const Options& options, const Context& context) {
   if (options.copies > most_copies)
     throw InputError("--copies " + std::to_string(options.copies) + ": a page shows at most " +
                      std::to_string(most_copies) + "; 'tetrarch embed' writes more copies to a file");
-  if (scene::viewer_page().empty())
-    throw InputError("this program was built without the viewer: " +
-                     std::string(scene::viewer_missing_reason()));
   const Embedding e = embedded(options.input, options.cusp_area, context);
   // A piece by word length has gaps near by that farther copies would fill: of more, the nearest are kept.
   const embed::PieceBounds bounds{8 * options.copies, 0, 0};

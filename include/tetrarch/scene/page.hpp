@@ -65,13 +65,12 @@ std::string page_data(const Page& page);
 /// surface with textures.
 std::string page_data(const TexturePage& page);
 
-/// The page, or nothing if the viewer is missing: see `viewer_missing_reason`.
+/// The whole page: the viewer with the page's data in it.
 std::string write_page(const Page& page);
 std::string write_page(const TexturePage& page);
 
-/// The bundled viewers, empty if the program was built without them; and a sentence that gives the reason.
+/// The bundled viewers (tools/viewer), with TETRARCH_SCENE where the data go.
 std::string_view viewer_page();
 std::string_view texture_viewer_page();
-std::string_view viewer_missing_reason();
 
 } // namespace tetrarch::scene

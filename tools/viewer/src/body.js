@@ -1,24 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// A body as objects of three.js: its surfaces and tubes once, its copies as instances.
-import {
-  BufferAttribute,
-  DataTexture,
-  DoubleSide,
-  FloatType,
-  GLSL3,
-  Group,
-  InstancedBufferGeometry,
-  Matrix4,
-  Mesh,
-  RawShaderMaterial,
-  RGBAFormat,
-  Sphere,
-  UnsignedByteType,
-  Vector2,
-  Vector3,
-} from 'three';
+// A body as things to draw: its surfaces and tubes once, its copies as instances.
 import { Copies } from './copies.js';
+import { IDENTITY, times } from './linear.js';
 import { anchor, MODELS } from './models.js';
+import { attribute, texture, thing } from './painter.js';
 import { classColour, lengthColour, rgb } from './palette.js';
 import { litFragment, surfaceVertex, tubeVertex } from './shaders.js';
 import { meanLength, PRISM, RIBBON, ROUND, tubeArrays } from './tubes.js';
@@ -43,21 +28,17 @@ export const COLOURINGS = {
   word: { face: 'word', boundary: 'word' },
 };
 
-function colourTexture(colours) {
-  const data = new Uint8Array(4 * colours.length);
-  colours.forEach((colour, i) => data.set([...colour.map(Math.round), 255], 4 * i));
-  const texture = new DataTexture(data, colours.length, 1, RGBAFormat, UnsignedByteType);
-  texture.needsUpdate = true;
-  return texture;
+function setColours(tints, colours) {
+  tints.data = Uint8Array.from(colours.flatMap((colour) => [...colour.map(Math.round), 255]));
+  tints.width = colours.length;
+  ++tints.version;
 }
 
 function centreTexture(tetrahedra) {
   const rows = Math.ceil(tetrahedra.length / CENTRES_PER_ROW);
   const data = new Float32Array(4 * CENTRES_PER_ROW * rows);
   tetrahedra.forEach((tetrahedron, i) => data.set(tetrahedron.centre, 4 * i));
-  const texture = new DataTexture(data, CENTRES_PER_ROW, rows, RGBAFormat, FloatType);
-  texture.needsUpdate = true;
-  return texture;
+  return texture(data, CENTRES_PER_ROW, rows);
 }
 
 /// How much of the colour of paper is mixed in: truncation triangles are paler than the faces beside them
@@ -93,19 +74,18 @@ const NORMALS = { vertical: () => [0, 1, 0, 0], horizontal: (X) => [-X[0], -X[1]
 export class BodyView {
   constructor(body) {
     this.body = body;
-    this.object = new Group();
     this.planar = body.view !== 'space';
     this.copies = new Copies(body);
     this.shared = {
       model: { value: 0 },
-      frame: { value: new Matrix4() },
+      frame: { value: IDENTITY },
       apart: { value: 0 },
-      anchor: { value: new Vector3() },
+      anchor: { value: [0, 0, 0] },
       perspective: { value: !this.planar },
       centres: { value: centreTexture(body.tetrahedra) },
-      background: { value: new Vector3() },
-      haze: { value: new Vector2() },
-      up: { value: new Vector3(0, 1, 0) },
+      background: { value: [0, 0, 0] },
+      haze: { value: [0, 1] },
+      up: { value: [0, 1, 0] },
       flatLook: { value: this.planar },
       pixel: { value: 0 },
     };
@@ -118,43 +98,37 @@ export class BodyView {
     this.addTubes(coarse.tubes, this.copies.far, body.coarse ? afar : { ...afar, step: 2 });
   }
 
-  geometry(arrays, triangles, instances) {
-    const geometry = new InstancedBufferGeometry();
-    for (const [name, [array, size]] of Object.entries(arrays))
-      geometry.setAttribute(name, new BufferAttribute(array, size));
-    geometry.setAttribute('motion', instances.motion);
-    geometry.setAttribute('traits', instances.traits);
-    geometry.setIndex(new BufferAttribute(triangles, 1));
-    // The card places the vertices, so three.js must not look for a sphere around them.
-    geometry.boundingSphere = new Sphere(new Vector3(), Infinity);
-    return geometry;
+  get things() {
+    return this.layers.map((layer) => layer.thing);
   }
 
-  addMesh(layer, vertexShader, uniforms) {
+  geometry(arrays, triangles, instances) {
+    const attributes = { motion: instances.motion, traits: instances.traits };
+    for (const [name, [array, size]] of Object.entries(arrays)) attributes[name] = attribute(array, size);
+    return { attributes, triangles };
+  }
+
+  addLayer(layer, vertex, uniforms) {
     const { part, side, geometry } = layer;
-    const material = new RawShaderMaterial({
-      glslVersion: GLSL3,
-      vertexShader,
-      fragmentShader: litFragment,
-      side: DoubleSide,
+    const made = thing({
+      ...geometry,
+      vertex,
+      fragment: litFragment,
       uniforms: {
         ...this.shared,
         ...uniforms,
         side: { value: side },
         opacity: { value: 1 },
         wash: { value: 0 },
-        paper: { value: new Vector3() },
+        paper: { value: [0, 0, 0] },
         source: { value: 0 },
-        tints: { value: null },
+        tints: { value: texture(new Uint8Array(4), 1, 1) },
       },
       // Ribbons lie in their tiles and are drawn over them.
       depthTest: !this.planar,
+      order: part === 'tube' ? 3 : side > 0 ? 2 : 1,
     });
-    const mesh = new Mesh(geometry, material);
-    mesh.frustumCulled = false;
-    mesh.renderOrder = part === 'tube' ? 3 : side > 0 ? 2 : 1;
-    this.object.add(mesh);
-    this.layers.push({ ...layer, mesh, material });
+    this.layers.push({ ...layer, thing: made });
   }
 
   addSurface(surface, instances) {
@@ -170,7 +144,7 @@ export class BodyView {
     );
     const part = surface.kind === 'face' ? 'face' : 'boundary';
     for (const side of this.planar ? [0] : [-1, 1])
-      this.addMesh({ part, side, geometry, instances }, surfaceVertex, {
+      this.addLayer({ part, side, geometry, instances }, surfaceVertex, {
         horosphere: { value: surface.kind === 'cusp' },
         recede: { value: 0 },
       });
@@ -191,8 +165,8 @@ export class BodyView {
       instances,
     );
     const radius = Math.min(0.016, 0.008 * meanLength(tubes));
-    const radii = this.planar ? new Vector2(0, 2 * radius) : new Vector2(radius, 3 * radius);
-    this.addMesh({ part: 'tube', side: 0, geometry, instances }, tubeVertex, {
+    const radii = this.planar ? [0, 2 * radius] : [radius, 3 * radius];
+    this.addLayer({ part: 'tube', side: 0, geometry, instances }, tubeVertex, {
       radii: { value: radii },
       wanted: { value: this.planar ? 1.1 : 0.6 },
     });
@@ -201,60 +175,49 @@ export class BodyView {
   /// Show what the settings say in the theme's colours.
   update(settings, theme) {
     this.shared.model.value = MODELS.indexOf(settings.model);
-    if (settings.model === 'half') this.shared.frame.value.fromArray(this.body.frame);
-    else this.shared.frame.value.identity();
+    this.shared.frame.value = settings.model === 'half' ? this.body.frame : IDENTITY;
     this.shared.apart.value = settings.explode;
-    this.shared.anchor.value.fromArray(anchor(this.body, settings.model));
-    this.shared.background.value.fromArray(rgb(theme.background)).divideScalar(255);
+    this.shared.anchor.value = anchor(this.body, settings.model);
+    this.shared.background.value = times(rgb(theme.background), 1 / 255);
     this.copies.choose(settings.model, settings.copies);
     const closed = settings.faces && settings.boundary && settings.opacity === 1;
     for (const layer of this.layers) {
-      layer.mesh.visible =
+      layer.thing.visible =
         { face: settings.faces, boundary: settings.boundary, tube: settings.edges }[layer.part] &&
         !(closed && layer.side < 0);
-      if (layer.side > 0) layer.material.uniforms.recede.value = closed ? 0 : RECEDE;
+      if (layer.side > 0) layer.thing.uniforms.recede.value = closed ? 0 : RECEDE;
       this.colour(layer, settings, theme);
     }
   }
 
-  colour({ part, material }, settings, theme) {
+  colour({ part, thing: own }, settings, theme) {
     const colouring = COLOURINGS[settings.colour];
-    const uniforms = material.uniforms;
+    const { uniforms } = own;
     const by = colouring[part] ?? 'nothing';
     const count = Math.min(classCount(this.body, settings.colour), MOST_TINTS);
     const plain = part === 'tube' ? theme.ink : theme.paper;
-    uniforms.tints.value?.dispose();
     const tints = Array.from({ length: count }, (_, i) => tintOf(settings.colour, i, count));
-    uniforms.tints.value = colourTexture([...tints, rgb(plain)]);
+    setColours(uniforms.tints.value, [...tints, rgb(plain)]);
     uniforms.source.value = BY[by];
     uniforms.wash.value = washOf(part, colouring, this.planar);
-    uniforms.paper.value.fromArray(rgb(theme.paper)).divideScalar(255);
+    uniforms.paper.value = times(rgb(theme.paper), 1 / 255);
     const opacity = part === 'face' ? settings.opacity : 1;
     uniforms.opacity.value = opacity;
-    material.transparent = opacity < 1;
-    material.depthWrite = opacity === 1;
+    own.transparent = opacity < 1;
+    own.depthWrite = opacity === 1;
   }
 
   /// Before each picture: the camera's upward direction and depths, how far it sees around its target, and
   /// the size of a pixel (at distance 1 in perspective).
   look(camera, { near, far, reach, pixel }) {
-    this.shared.up.value.set(0, 0, 1).transformDirection(camera.matrixWorldInverse);
-    this.shared.haze.value.set(near, far);
+    this.shared.up.value = camera.axes.map((axis) => axis[2]);
+    this.shared.haze.value = [near, far];
     this.shared.pixel.value = pixel;
     if (!this.copies.distribute(reach)) return;
-    for (const { part, geometry, instances } of this.layers)
-      geometry.instanceCount =
+    for (const { part, thing: own, instances } of this.layers)
+      own.instances =
         part === 'tube' && instances === this.copies.far
           ? Math.max(0, this.copies.farEdges)
           : instances.count;
-  }
-
-  dispose() {
-    for (const { geometry, material } of this.layers) {
-      material.uniforms.tints.value?.dispose();
-      material.dispose();
-      geometry.dispose();
-    }
-    this.shared.centres.value.dispose();
   }
 }

@@ -1,48 +1,45 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Two cameras: one that orbits a solid, and one that pans over a plane.
-import { MOUSE, OrthographicCamera, PerspectiveCamera, TOUCH, Vector3 } from 'three';
-import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
+// Two cameras: one that turns around a solid, and one that moves over a plane.
+import { FlatCamera, SolidCamera } from './camera.js';
 import { fitPoints } from './fit.js';
+import { follow } from './hands.js';
 
-const FIELD = 30; // degrees, upwards
+const FIELD = Math.PI / 6; // upwards
 const KEY_STEP = Math.PI / 36;
+const KEY_PIXELS = 40;
+const KEY_ZOOM = 1.1;
 export const FIRST_DIRECTION = [0.5, -0.78, 0.38];
 
-/// Where a planar camera stands, seen from what it looks at.
-const PLANAR = { vertical: [0, -1, 0], horizontal: [0, 0, 1] };
+/// Where a planar camera stands, seen from what it looks at, and what is upwards.
+const PLANAR = {
+  vertical: [
+    [0, -1, 0],
+    [0, 0, 1],
+  ],
+  horizontal: [
+    [0, 0, 1],
+    [0, 1, 0],
+  ],
+};
 
 export class Cameras {
-  constructor(canvas, onChange) {
-    this.canvas = canvas;
-    this.solid = new PerspectiveCamera(FIELD, 1, 0.01, 100);
-    this.flat = new OrthographicCamera(-1, 1, 1, -1, 0, 10);
-    this.orbit = this.controls(this.solid, canvas, onChange);
-    this.pan = this.controls(this.flat, canvas, onChange);
-    this.pan.enableRotate = false;
-    this.pan.zoomToCursor = true;
-    this.pan.mouseButtons = { LEFT: MOUSE.PAN, MIDDLE: MOUSE.DOLLY, RIGHT: MOUSE.PAN };
-    this.pan.touches = { ONE: TOUCH.PAN, TWO: TOUCH.DOLLY_PAN };
+  constructor(element, onChange) {
+    this.element = element;
+    this.onChange = onChange;
+    this.solid = new SolidCamera(FIELD);
+    this.flat = new FlatCamera();
     this.view = 'space';
-    this.aspect = 1;
     this.radius = 1;
     this.fitted = 1;
-    canvas.addEventListener('keydown', (event) => this.key(event));
-  }
-
-  controls(camera, canvas, onChange) {
-    camera.up.set(0, 0, 1);
-    const controls = new OrbitControls(camera, canvas);
-    controls.addEventListener('change', () => {
-      if (!this.quiet) onChange();
+    follow(element, {
+      begin: () => (this.before = this.standing()),
+      turn: (dx, dy) => this.drag(dx, dy),
+      move: (dx, dy) => this.move(dx, dy),
+      zoom: (factor, at) => this.zoomBy(factor, at),
+      // A picture whose size or place someone chose is not fitted again behind their back.
+      end: () => (this.placed ||= this.before !== this.standing()),
     });
-    // A picture whose size or place someone chose is not fitted again behind their back.
-    controls.addEventListener('start', () => {
-      this.before = [this.zoom(), ...controls.target.toArray()].join();
-    });
-    controls.addEventListener('end', () => {
-      if (this.before !== [this.zoom(), ...controls.target.toArray()].join()) this.placed = true;
-    });
-    return controls;
+    element.addEventListener('keydown', (event) => this.key(event));
   }
 
   get planar() {
@@ -51,22 +48,13 @@ export class Cameras {
   get camera() {
     return this.planar ? this.flat : this.solid;
   }
-  get active() {
-    return this.planar ? this.pan : this.orbit;
+  get height() {
+    return this.element.clientHeight;
   }
 
   use(view) {
     this.view = view;
-    this.orbit.enabled = !this.planar;
-    this.pan.enabled = this.planar;
-  }
-
-  /// Change the camera without reporting it as someone's doing.
-  quietly(change) {
-    this.quiet = true;
-    change();
-    this.active.update();
-    this.quiet = false;
+    if (this.planar) this.flat.face(...PLANAR[view]);
   }
 
   /// See what is framed (bounds.js), a solid from the given direction.
@@ -75,88 +63,61 @@ export class Cameras {
     const size = low.map((x, i) => Math.max(high[i] - x, 1e-9));
     this.radius = ball ? 1 : Math.hypot(...size) / 2;
     this.placed = false;
-    this.quietly(() => {
-      if (this.planar) this.fitPlane(middle, size, axis);
-      else this.fitSolid(direction, ball ? null : points);
-    });
+    if (this.planar) this.fitPlane(middle, size, axis);
+    else this.fitSolid(direction, ball ? null : points);
   }
 
   fitSolid(direction, points) {
-    const upward = Math.tan((FIELD * Math.PI) / 360);
-    const narrow = Math.atan(upward * Math.min(1, this.aspect));
-    const fitted = points
-      ? fitPoints(points, direction, [upward * this.aspect, upward])
+    const { solid } = this;
+    const narrow = Math.atan(solid.upward * Math.min(1, solid.aspect));
+    const { target, distance } = points
+      ? fitPoints(points, direction, [solid.upward * solid.aspect, solid.upward])
       : { target: [0, 0, 0], distance: 1.04 / Math.sin(narrow) };
-    this.fitted = fitted.distance;
-    this.orbit.target.fromArray(fitted.target);
-    this.solid.position.fromArray(direction).normalize().multiplyScalar(this.fitted).add(this.orbit.target);
-    this.orbit.minDistance = this.fitted / 200;
-    this.orbit.maxDistance = this.fitted * 6;
+    this.fitted = distance;
+    solid.target = target;
+    solid.distance = distance;
+    solid.range = [distance / 200, distance * 6];
+    solid.lookFrom(direction);
   }
 
   fitPlane(middle, size, axis) {
+    const { flat } = this;
     const [width, height] = this.view === 'vertical' ? [size[0], size[2]] : [size[0], size[1]];
-    this.extent = 0.52 * Math.max(height, width / this.aspect);
+    flat.extent = 0.52 * Math.max(height, width / flat.aspect);
     // Where the picture is taller than what it shows, an axis at infinity stays near its lower edge.
-    if (axis) middle[2] += this.extent - 0.52 * height;
-    this.pan.target.fromArray(middle);
-    this.flat.zoom = 1;
-    this.flat.up.set(0, this.view === 'horizontal' ? 1 : 0, this.view === 'horizontal' ? 0 : 1);
-    this.flat.position
-      .fromArray(PLANAR[this.view])
-      .multiplyScalar(100 * this.extent)
-      .add(new Vector3().fromArray(middle));
-    this.flat.near = 0;
-    this.flat.far = 200 * this.extent;
-    this.pan.minZoom = 0.1;
-    this.pan.maxZoom = 2000;
-    this.shape();
-  }
-
-  shape() {
-    const height = this.extent ?? 1;
-    this.flat.left = -height * this.aspect;
-    this.flat.right = height * this.aspect;
-    this.flat.top = height;
-    this.flat.bottom = -height;
-    this.flat.updateProjectionMatrix();
+    if (axis) middle[2] += flat.extent - 0.52 * height;
+    flat.target = middle;
+    flat.magnified = 1;
+    flat.range = [0.1, 2000];
   }
 
   resize(aspect) {
-    this.aspect = aspect;
     this.solid.aspect = aspect;
-    this.shape();
+    this.flat.aspect = aspect;
   }
 
   /// The unit vector from what is looked at to the camera.
   direction() {
-    return this.solid.position.clone().sub(this.orbit.target).normalize().toArray();
+    return this.solid.direction;
   }
 
   zoom() {
-    return this.planar ? this.flat.zoom : this.fitted / this.solid.position.distanceTo(this.orbit.target);
+    return this.planar ? this.flat.magnified : this.fitted / this.solid.distance;
   }
 
   target() {
-    return this.active.target.toArray();
+    return [...this.camera.target];
+  }
+
+  standing() {
+    return [this.zoom(), ...this.target()].join();
   }
 
   /// Come nearer by a factor, and look at another point.
   place({ zoom, target }) {
     this.placed = true;
-    this.quietly(() => {
-      const move = target ? new Vector3().fromArray(target).sub(this.active.target) : new Vector3();
-      this.active.target.add(move);
-      this.camera.position.add(move);
-      if (!zoom) return;
-      if (this.planar) this.flat.zoom = zoom;
-      else
-        this.solid.position
-          .sub(this.orbit.target)
-          .setLength(this.fitted / zoom)
-          .add(this.orbit.target);
-      this.flat.updateProjectionMatrix();
-    });
+    if (target) this.camera.target = [...target];
+    if (zoom) this.camera.zoom(zoom / this.zoom());
   }
 
   /// Set the near and far planes for the next picture, and say where things are in it: the depths between
@@ -164,34 +125,53 @@ export class Cameras {
   /// perspective) when it is `height` pixels high.
   measure(height, ground) {
     if (this.planar) {
-      const reach = this.extent / this.flat.zoom;
+      const reach = this.flat.halves[1];
       return { near: 0, far: 1, reach, pixel: (2 * reach) / height };
     }
-    const distance = this.solid.position.distanceTo(this.orbit.target);
-    this.solid.near = Math.max(distance - 3 * this.radius, distance / 100, this.radius / 1000);
-    this.solid.far = distance + Math.max(3 * this.radius, 2 * ground);
-    this.solid.updateProjectionMatrix();
-    const slope = Math.tan((FIELD * Math.PI) / 360);
+    const { distance, upward } = this.solid;
+    this.solid.depths = [
+      Math.max(distance - 3 * this.radius, distance / 100, this.radius / 1000),
+      distance + Math.max(3 * this.radius, 2 * ground),
+    ];
     return {
       near: distance - 0.3 * this.radius,
       far: distance + this.radius,
-      reach: slope * distance,
-      pixel: (2 * slope) / height,
+      reach: upward * distance,
+      pixel: (2 * upward) / height,
     };
+  }
+
+  /// A solid turns, a plane moves.
+  drag(dx, dy) {
+    if (this.planar) return this.move(dx, dy);
+    const angle = (2 * Math.PI) / this.height;
+    this.turn(dx * angle, dy * angle);
+  }
+
+  turn(right, down) {
+    this.solid.turn(right, down);
+    this.onChange();
+  }
+
+  move(dx, dy) {
+    this.camera.move(dx, dy, this.height);
+    this.onChange();
+  }
+
+  zoomBy(factor, at) {
+    this.camera.zoom(factor, at);
+    this.onChange();
   }
 
   key(event) {
     const steps = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] };
     const step = steps[event.key];
-    if (step && this.planar) this.active.pan(-40 * step[0], -40 * step[1]);
-    else if (step) {
-      this.orbit.rotateLeft(step[0] * KEY_STEP);
-      this.orbit.rotateUp(step[1] * KEY_STEP);
-    } else if (event.key === '+' || event.key === '=') this.active.dollyIn(1 / 1.1);
-    else if (event.key === '-') this.active.dollyOut(1 / 1.1);
+    if (step && this.planar) this.move(-KEY_PIXELS * step[0], -KEY_PIXELS * step[1]);
+    else if (step) this.turn(step[0] * KEY_STEP, step[1] * KEY_STEP);
+    else if (event.key === '+' || event.key === '=') this.zoomBy(KEY_ZOOM);
+    else if (event.key === '-') this.zoomBy(1 / KEY_ZOOM);
     else return;
     this.placed ||= !step || this.planar;
-    this.active.update();
     event.preventDefault();
   }
 }

@@ -2,8 +2,8 @@
 // Which copies are drawn, and how finely. Most copies of a large piece of the universal cover are a few
 // pixels wide: they get coarse surfaces and thin prisms for edges, and those that would not be seen at all
 // are left out.
-import { DynamicDrawUsage, InstancedBufferAttribute } from 'three';
 import { placed } from './models.js';
+import { attribute } from './painter.js';
 
 /// Sizes in units of what the picture shows, from its middle to its rim.
 const FINE_FROM = 0.05;
@@ -18,10 +18,8 @@ const PROBES = 12;
 /// motion is a mirror.
 class Instances {
   constructor(capacity) {
-    this.motion = new InstancedBufferAttribute(new Float32Array(16 * capacity), 16).setUsage(
-      DynamicDrawUsage,
-    );
-    this.traits = new InstancedBufferAttribute(new Float32Array(2 * capacity), 2).setUsage(DynamicDrawUsage);
+    this.motion = attribute(new Float32Array(16 * capacity), 16, { instanced: true });
+    this.traits = attribute(new Float32Array(2 * capacity), 2, { instanced: true });
     this.count = 0;
   }
 
@@ -32,10 +30,9 @@ class Instances {
       this.motion.array.set(copies.matrices.subarray(16 * copy, 16 * copy + 16), 16 * (i - first));
       this.traits.array.set([copies.length[copy], mirrored[copy]], 2 * (i - first));
     }
-    for (const attribute of [this.motion, this.traits]) {
-      attribute.clearUpdateRanges();
-      attribute.addUpdateRange(0, this.count * attribute.itemSize);
-      attribute.needsUpdate = true;
+    for (const changed of [this.motion, this.traits]) {
+      changed.used = this.count * changed.size;
+      ++changed.version;
     }
   }
 }

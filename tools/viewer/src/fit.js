@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Where a camera must stand to see points as large as can be.
+import { cross, dot, unit } from './linear.js';
 
 /// Room left around what is seen, as a factor of the distance.
 const MARGIN = 1.1;
 /// Moving the middle changes the distance and the other way round; it settles quickly.
 const ROUNDS = 4;
-
-const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-const cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
-const unit = (a) => a.map((x) => x / Math.hypot(...a));
 
 /// The camera's right, up and backward direction, for one that looks from `direction` and holds z upwards.
 function axesOf(direction) {

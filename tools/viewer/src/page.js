@@ -77,7 +77,6 @@ function complain(message) {
   document.documentElement.dataset.ready = 'no';
 }
 
-/// three.js would report a missing WebGL as an error on the console; we say it on the page.
 function contextOf(canvas) {
   return canvas.getContext('webgl2', { antialias: true, alpha: true, powerPreference: 'high-performance' });
 }
@@ -92,7 +91,7 @@ export function open(readScene, make) {
     if (!(error instanceof SceneError)) throw error;
     return complain(error.message);
   }
-  document.title = `${scene.title} · Tetrarch`;
+  document.title = `${scene.title} \u00b7 Tetrarch`;
   document.getElementById('title').textContent = scene.title;
   showTables(scene.tables, document.getElementById('tables'));
   const context = contextOf(canvas);

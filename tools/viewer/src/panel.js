@@ -9,8 +9,8 @@ const STEPS = 1000;
 const LONGEST_LEGEND = 14;
 
 const NAMES = {
-  space: { half: 'upper half space', ball: 'Poincaré ball', klein: 'Klein ball' },
-  vertical: { half: 'upper half plane', ball: 'Poincaré disk', klein: 'Klein disk' },
+  space: { half: 'upper half space', ball: 'Poincar\u00e9 ball', klein: 'Klein ball' },
+  vertical: { half: 'upper half plane', ball: 'Poincar\u00e9 disk', klein: 'Klein disk' },
   horizontal: { half: 'horosphere' },
 };
 const CLASS_NAMES = {
@@ -112,7 +112,7 @@ export class Panel {
     legend.replaceChildren(...items);
     legend.setAttribute('aria-label', `${count} ${count === 1 ? one : many}`);
     legend.dataset.more =
-      count > LONGEST_LEGEND ? `… ${count} ${many}` : settings.colour === 'word' ? many : '';
+      count > LONGEST_LEGEND ? `\u2026 ${count} ${many}` : settings.colour === 'word' ? many : '';
   }
 
   longestShown(body, copies) {

@@ -1,17 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // What stands around the bodies: the plane at infinity of the half space, the sphere at infinity of the
 // balls, and the axis or circle at infinity behind planar bodies.
-import {
-  DoubleSide,
-  GLSL3,
-  Group,
-  Mesh,
-  PlaneGeometry,
-  RawShaderMaterial,
-  SphereGeometry,
-  Vector2,
-  Vector3,
-} from 'three';
+import { stretched, times } from './linear.js';
+import { attribute, thing } from './painter.js';
 import { mix, rgb } from './palette.js';
 
 const head = /* glsl */ `
@@ -94,8 +85,8 @@ uniform vec2 middle;
 uniform vec2 extent;
 out vec2 place;
 void main() {
-  place = middle + extent * 2.0 * position.xy;
-  gl_Position = vec4(2.0 * position.xy, 0.99999, 1.0);
+  place = middle + extent * position.xy;
+  gl_Position = vec4(position.xy, 0.99999, 1.0);
 }
 `;
 
@@ -124,22 +115,34 @@ void main() {
 }
 `;
 
-function mesh(geometry, vertexShader, fragmentShader, uniforms, options) {
-  const material = new RawShaderMaterial({
-    glslVersion: GLSL3,
-    vertexShader,
-    fragmentShader,
-    uniforms,
-    side: DoubleSide,
-    ...options,
-  });
-  const made = new Mesh(geometry, material);
-  made.frustumCulled = false;
-  return made;
+/// The square from (-1, -1) to (1, 1).
+function square() {
+  const corners = [-1, -1, 0, 1, -1, 0, -1, 1, 0, 1, 1, 0];
+  return {
+    attributes: { position: attribute(Float32Array.from(corners), 3) },
+    triangles: Uint16Array.of(0, 1, 2, 2, 1, 3),
+  };
 }
 
-const colourUniform = () => ({ value: new Vector3() });
-const setColour = (uniform, colour) => uniform.value.fromArray(colour).divideScalar(255);
+/// The unit sphere by rows of points from pole to pole, `round` pieces in each.
+function sphere(rows, round) {
+  const points = [];
+  const triangles = [];
+  for (let i = 0; i <= rows; ++i)
+    for (let j = 0; j <= round; ++j) {
+      const [down, along] = [(Math.PI * i) / rows, (2 * Math.PI * j) / round];
+      points.push(Math.sin(down) * Math.cos(along), Math.sin(down) * Math.sin(along), Math.cos(down));
+      const [above, here] = [(i - 1) * (round + 1) + j, i * (round + 1) + j];
+      if (i > 0 && j > 0) triangles.push(above - 1, here - 1, here, above - 1, here, above);
+    }
+  return {
+    attributes: { position: attribute(Float32Array.from(points), 3) },
+    triangles: Uint16Array.from(triangles),
+  };
+}
+
+const colourUniform = () => ({ value: [0, 0, 0] });
+const setColour = (uniform, colour) => (uniform.value = times(colour, 1 / 255));
 
 /// The largest of 1, 2, 5, 10, ... times a power of ten that is at most x.
 export function roundStep(x) {
@@ -150,33 +153,39 @@ export function roundStep(x) {
 export class Scenery {
   constructor() {
     const glass = { transparent: true, depthWrite: false };
-    this.ground = mesh(
-      new PlaneGeometry(2, 2),
-      solidVertex,
-      groundFragment,
-      {
+    this.ground = thing({
+      ...square(),
+      ...glass,
+      vertex: solidVertex,
+      fragment: groundFragment,
+      order: -1,
+      uniforms: {
         colour: colourUniform(),
         lineColour: colourUniform(),
-        middle: { value: new Vector2() },
+        middle: { value: [0, 0] },
         radius: { value: 1 },
         spacing: { value: 1 },
       },
-      glass,
-    );
-    this.shell = mesh(
-      new SphereGeometry(1, 96, 64),
-      solidVertex,
-      shellFragment,
-      { lineColour: colourUniform(), strength: { value: 1 } },
-      { ...glass, side: 0 },
-    );
-    this.backdrop = mesh(
-      new PlaneGeometry(1, 1),
-      backdropVertex,
-      backdropFragment,
-      {
-        middle: { value: new Vector2() },
-        extent: { value: new Vector2() },
+    });
+    this.shell = thing({
+      ...sphere(64, 96),
+      ...glass,
+      vertex: solidVertex,
+      fragment: shellFragment,
+      order: 3,
+      outside: true,
+      uniforms: { lineColour: colourUniform(), strength: { value: 1 } },
+    });
+    this.backdrop = thing({
+      ...square(),
+      vertex: backdropVertex,
+      fragment: backdropFragment,
+      order: -2,
+      depthTest: false,
+      depthWrite: false,
+      uniforms: {
+        middle: { value: [0, 0] },
+        extent: { value: [1, 1] },
         kind: { value: 0 },
         colour: colourUniform(),
         beyond: colourUniform(),
@@ -184,13 +193,8 @@ export class Scenery {
         spacing: { value: 1 },
         width: { value: 1.5 },
       },
-      { depthTest: false, depthWrite: false },
-    );
-    this.ground.renderOrder = -1;
-    this.shell.renderOrder = 3;
-    this.backdrop.renderOrder = -2;
-    this.object = new Group();
-    this.object.add(this.ground, this.shell, this.backdrop);
+    });
+    this.things = [this.ground, this.shell, this.backdrop];
   }
 
   /// Show what belongs to the view and model; `bounds` says where the ground's middle is and how wide it must
@@ -202,30 +206,28 @@ export class Scenery {
     this.backdrop.visible = planar;
     const radius = 1.6 * Math.hypot(high[0] - low[0], high[1] - low[1], high[2] - low[2]);
     const middle = [(low[0] + high[0]) / 2, (low[1] + high[1]) / 2];
-    const ground = this.ground.material.uniforms;
+    const ground = this.ground.uniforms;
     this.radius = radius;
-    this.ground.scale.set(radius, radius, 1);
-    this.ground.position.set(...middle, 0);
+    this.ground.matrix = stretched([radius, radius, 1], [...middle, 0]);
     ground.radius.value = radius;
-    ground.middle.value.fromArray(middle);
+    ground.middle.value = middle;
     ground.spacing.value = roundStep(radius / 6);
-    this.shell.material.uniforms.strength.value = 1 - 0.7 * settings.explode;
-    const backdrop = this.backdrop.material.uniforms;
+    this.shell.uniforms.strength.value = 1 - 0.7 * settings.explode;
+    const backdrop = this.backdrop.uniforms;
     backdrop.kind.value = view === 'horizontal' ? 2 : settings.model === 'half' ? 0 : 1;
     setColour(ground.colour, rgb(theme.ground));
     setColour(backdrop.colour, rgb(theme.planar));
     setColour(backdrop.beyond, mix(rgb(theme.background), rgb(theme.ground), 0.75));
-    for (const { material } of [this.ground, this.shell, this.backdrop])
-      setColour(material.uniforms.lineColour, rgb(theme.line));
+    for (const { uniforms } of this.things) setColour(uniforms.lineColour, rgb(theme.line));
   }
 
   /// Before each picture of a planar body: what part of the plane it shows, and device pixels per CSS pixel.
   look(view, camera, density) {
-    const backdrop = this.backdrop.material.uniforms;
-    const { x, y, z } = camera.position;
-    backdrop.middle.value.set(x, view === 'vertical' ? z : y);
-    backdrop.extent.value.set(camera.right, camera.top).divideScalar(camera.zoom);
-    backdrop.spacing.value = roundStep((2 * camera.top) / camera.zoom / 8);
+    const backdrop = this.backdrop.uniforms;
+    const [x, y, z] = camera.target;
+    backdrop.middle.value = [x, view === 'vertical' ? z : y];
+    backdrop.extent.value = camera.halves;
+    backdrop.spacing.value = roundStep((2 * camera.halves[1]) / 8);
     backdrop.width.value = 2 * density;
   }
 }

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // A canvas that is drawn when something changed, not all the time. What is drawn is the business of derived
 // classes: `arrange` for another size, `render`.
-import { Color, WebGLRenderer } from 'three';
+import { times } from './linear.js';
+import { Painter } from './painter.js';
+import { rgb } from './palette.js';
 
 /// More device pixels than this per CSS pixel cannot be seen, only waited for.
 const DENSEST = 2;
@@ -9,15 +11,14 @@ const DENSEST = 2;
 export class Screen {
   constructor(canvas, context) {
     this.canvas = canvas;
-    this.renderer = new WebGLRenderer({ canvas, context, antialias: true, alpha: true });
+    this.painter = new Painter(context, () => this.draw());
     this.drawn = 0;
     this.size = [1, 1];
     this.density = 1;
   }
 
   setBackground(colour, { background }) {
-    this.renderer.setClearColor(new Color().setRGB(0, 0, 0), 0);
-    if (background !== 'none') this.renderer.setClearColor(colour, 1);
+    this.painter.background = background === 'none' ? [0, 0, 0, 0] : [...times(rgb(colour), 1 / 255), 1];
   }
 
   resize() {
@@ -30,8 +31,7 @@ export class Screen {
   setSize(width, height, density) {
     this.size = [width, height];
     this.density = density;
-    this.renderer.setPixelRatio(density);
-    this.renderer.setSize(width, height, false);
+    this.painter.setSize(width, height, density);
     this.arrange(width, height);
   }
 

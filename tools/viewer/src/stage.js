@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The picture: camera, scenery and the body shown.
-import { Scene } from 'three';
 import { NOT_SET } from './address.js';
 import { BodyView } from './body.js';
 import { framed } from './bounds.js';
@@ -12,9 +11,7 @@ import { Screen } from './screen.js';
 export class Stage extends Screen {
   constructor(canvas, context, onCamera) {
     super(canvas, context);
-    this.scene = new Scene();
     this.scenery = new Scenery();
-    this.scene.add(this.scenery.object);
     this.cameras = new Cameras(canvas, () => {
       this.draw();
       onCamera();
@@ -29,12 +26,8 @@ export class Stage extends Screen {
   show(body, settings, theme) {
     this.theme = THEMES[theme];
     if (this.view?.body !== body) {
-      if (this.view) {
-        this.scene.remove(this.view.object);
-        this.view.dispose();
-      }
+      if (this.view) this.painter.forget(this.view.things);
       this.view = new BodyView(body);
-      this.scene.add(this.view.object);
       this.cameras.use(body.view);
     }
     this.view.update(settings, this.theme);
@@ -75,9 +68,8 @@ export class Stage extends Screen {
     if (!this.view) return;
     const { cameras } = this;
     const measures = cameras.measure(this.size[1], this.scenery.radius);
-    cameras.camera.updateMatrixWorld();
     this.view.look(cameras.camera, measures);
     if (cameras.planar) this.scenery.look(this.view.body.view, cameras.camera, this.density);
-    this.renderer.render(this.scene, cameras.camera);
+    this.painter.render([...this.scenery.things, ...this.view.things], cameras.camera);
   }
 }

@@ -1,27 +1,16 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // One half of the picture: a surface with a pattern on it, its loops, and a camera of its own.
-import {
-  BufferAttribute,
-  BufferGeometry,
-  Color,
-  DoubleSide,
-  GLSL3,
-  Mesh,
-  RawShaderMaterial,
-  Scene,
-  SRGBColorSpace,
-  Vector3,
-} from 'three';
-import { LineMaterial } from 'three/addons/lines/LineMaterial.js';
-import { LineSegments2 } from 'three/addons/lines/LineSegments2.js';
-import { LineSegmentsGeometry } from 'three/addons/lines/LineSegmentsGeometry.js';
 import { NOT_SET } from '../address.js';
 import { Cameras, FIRST_DIRECTION } from '../cameras.js';
+import { times } from '../linear.js';
+import { attribute, thing } from '../painter.js';
 import { mix, rgb, SCALE } from '../palette.js';
+import { segments, wideLines } from './lines.js';
 import { patternFragment, PATTERNS, patternVertex } from './shaders.js';
 import { normals, range, splitByPatch, standing } from './shape.js';
 
 const LINE_WIDTH = 3; // CSS pixels
+const RIM_WIDTH = 4.5;
 /// Fibres, of which there are many, and none has a name.
 const FIBER_WIDTH = 1.2;
 /// How opaque the surface is when one is to see inside.
@@ -41,53 +30,41 @@ function patchColours({ patches, patchOf }) {
 }
 
 function surface(pane, uniforms) {
-  const geometry = new BufferGeometry();
-  geometry.setAttribute('position', new BufferAttribute(pane.points, 3));
-  if (!pane.flat) geometry.setAttribute('normal', new BufferAttribute(normals(pane), 3));
-  geometry.setAttribute('uv', new BufferAttribute(pane.textures, 2));
-  if (pane.field) geometry.setAttribute('value', new BufferAttribute(levels(pane.field), 1));
-  if (pane.patches) geometry.setAttribute('patchColour', new BufferAttribute(patchColours(pane), 3, true));
-  geometry.setIndex(new BufferAttribute(pane.triangles, 1));
-  const material = new RawShaderMaterial({
-    glslVersion: GLSL3,
-    vertexShader: patternVertex,
-    fragmentShader: patternFragment,
+  const attributes = { position: attribute(pane.points, 3), uv: attribute(pane.textures, 2) };
+  if (!pane.flat) attributes.normal = attribute(normals(pane), 3);
+  if (pane.field) attributes.value = attribute(levels(pane.field), 1);
+  if (pane.patches) attributes.patchColour = attribute(patchColours(pane), 3, { normalised: true });
+  return thing({
+    attributes,
+    triangles: pane.triangles,
+    vertex: patternVertex,
+    fragment: patternFragment,
     uniforms,
-    side: DoubleSide,
-    premultipliedAlpha: true,
+    premultiplied: true,
     // The loops lie on it and are to be seen whole.
-    polygonOffset: true,
-    polygonOffsetFactor: 2,
-    polygonOffsetUnits: 4,
+    behind: true,
   });
-  return new Mesh(geometry, material);
 }
 
 /// Polylines as segments of the polylines' colours, above a rim that sets them off from any pattern.
-function segments({ points, starts, colours, numbers }, flat) {
-  const positions = [];
+function polylines({ points, starts, colours, numbers }, flat) {
+  const from = [];
+  const to = [];
   const tints = [];
   colours.forEach((colour, line) => {
-    const { r, g, b } = new Color().setRGB(...colour.map((x) => x / 255), SRGBColorSpace);
     for (let i = starts[line]; i + 1 < starts[line + 1]; ++i) {
-      positions.push(...points.subarray(3 * i, 3 * i + 6));
-      tints.push(r, g, b, r, g, b);
+      from.push(...points.subarray(3 * i, 3 * i + 3));
+      to.push(...points.subarray(3 * i + 3, 3 * i + 6));
+      tints.push(...times(colour, 1 / 255));
     }
   });
-  const geometry = new LineSegmentsGeometry().setPositions(positions).setColors(tints);
+  const geometry = segments(from, to, tints);
   // Nothing in a plane is behind anything, and no part of a line behind another of its own.
-  const shared = { depthTest: !flat, depthWrite: false };
-  const core = new LineMaterial({
-    ...shared,
-    linewidth: numbers.length ? LINE_WIDTH : FIBER_WIDTH,
-    vertexColors: true,
-  });
-  const rim = new LineMaterial({ ...shared, linewidth: LINE_WIDTH + 1.5 });
-  return (numbers.length ? [rim, core] : [core]).map((material, i) => {
-    const lines = new LineSegments2(geometry, material);
-    lines.renderOrder = 1 + i;
-    return lines;
-  });
+  const state = { depthTest: !flat, depthWrite: false };
+  if (!numbers.length) return [wideLines(geometry, FIBER_WIDTH, { ...state, order: 2 })];
+  const rim = wideLines(geometry, RIM_WIDTH, { ...state, order: 1 });
+  rim.uniforms.painted.value = true;
+  return [rim, wideLines(geometry, LINE_WIDTH, { ...state, order: 2 })];
 }
 
 /// Some of the points, an array for each coordinate, and their box.
@@ -116,35 +93,32 @@ export class Pane {
       vByU: { value: vByU },
       // Walls may run along a coordinate line; it should not be one where colours change.
       shift: { value: pane.patches ? 0.25 : 0 },
-      bright: { value: new Vector3() },
-      dark: { value: new Vector3() },
-      up: { value: new Vector3() },
+      bright: { value: [1, 1, 1] },
+      dark: { value: [0, 0, 0] },
+      up: { value: [0, 1, 0] },
       flatLook: { value: pane.flat },
       opacity: { value: 1 },
-      scale: { value: SCALE.map((colour) => new Vector3(...rgb(colour)).divideScalar(255)) },
+      scale: { value: SCALE.map((colour) => times(rgb(colour), 1 / 255)) },
     };
     this.first = (!pane.flat && standing(pane)) || FIRST_DIRECTION;
-    this.lines = pane.lines.flatMap((lines) => segments(lines, pane.flat));
-    this.scene = new Scene();
+    this.lines = pane.lines.flatMap((lines) => polylines(lines, pane.flat));
     this.surface = surface(pane, this.uniforms);
-    this.scene.add(this.surface, ...this.lines);
     this.frame = probes(pane.points);
     this.cameras = new Cameras(element, onCamera);
     this.cameras.use(pane.flat ? 'horizontal' : 'space');
   }
 
   show({ pattern, squares, lines, inside }, theme) {
-    const { material } = this.surface;
-    material.transparent = inside;
-    material.depthWrite = !inside;
+    this.surface.transparent = inside;
+    this.surface.depthWrite = !inside;
     this.uniforms.opacity.value = inside ? GLASS : 1;
     this.uniforms.pattern.value = PATTERNS.indexOf(pattern);
     this.uniforms.squares.value = squares;
-    this.uniforms.bright.value.fromArray(rgb(theme.paper)).divideScalar(255);
-    this.uniforms.dark.value.fromArray(mix(rgb('#2f4858'), rgb(theme.paper), 0.12)).divideScalar(255);
+    this.uniforms.bright.value = times(rgb(theme.paper), 1 / 255);
+    this.uniforms.dark.value = times(mix(rgb('#2f4858'), rgb(theme.paper), 0.12), 1 / 255);
     for (const line of this.lines) {
       line.visible = lines;
-      if (!line.material.vertexColors) line.material.color.set(theme.rim);
+      line.uniforms.paint.value = times(rgb(theme.rim), 1 / 255);
     }
   }
 
@@ -166,13 +140,10 @@ export class Pane {
   }
 
   /// Draw into a rectangle of the canvas, in CSS pixels from its lower left corner.
-  render(renderer, [x, y, width, height]) {
+  render(painter, area) {
     const { camera } = this.cameras;
-    this.cameras.measure(height, 0);
-    camera.updateMatrixWorld();
-    this.uniforms.up.value.set(0, 0, 1).transformDirection(camera.matrixWorldInverse);
-    renderer.setViewport(x, y, width, height);
-    renderer.setScissor(x, y, width, height);
-    renderer.render(this.scene, camera);
+    this.cameras.measure(area[3], 0);
+    this.uniforms.up.value = camera.axes.map((axis) => axis[2]);
+    painter.render([this.surface, ...this.lines], camera, area);
   }
 }

@@ -32,7 +32,6 @@ export class Stage extends Screen {
         onCamera();
       });
     });
-    this.renderer.setScissorTest(true);
   }
 
   show(settings, theme) {
@@ -63,6 +62,6 @@ export class Stage extends Screen {
   }
 
   render() {
-    this.panes.forEach((pane, i) => pane.render(this.renderer, this.areas[i]));
+    this.panes.forEach((pane, i) => pane.render(this.painter, this.areas[i]));
   }
 }
