@@ -86,8 +86,24 @@ private:
   }
 
   void read_relators() {
-    do result_.relators.push_back(word());
+    do read_relations();
     while (take(','));
+  }
+
+  /// A word; or equal ones, of which each says that the first times its inverse is 1.
+  void read_relations() {
+    const Word first = word();
+    if (next() != '=') {
+      result_.relators.push_back(first);
+      return;
+    }
+    while (take('=')) {
+      Word relator = first;
+      const Word other = word();
+      if (relator.size() + other.size() > most_letters) fail("no relator of more than a million letters");
+      for (auto letter = other.rbegin(); letter != other.rend(); ++letter) relator.push_back(-*letter);
+      result_.relators.push_back(std::move(relator));
+    }
   }
 
   /// The generator or inverse that stands next.

@@ -32,6 +32,10 @@ TEST_CASE("a presentation is read as people write it", "[group_text]") {
   CHECK(parse_presentation("< g2, g1 | g2g1G2G1 >", "") == torus);
   CHECK(parse_presentation("< a | a^3, A^-2, a^0, 1 >", "") == Presentation{1, {{1, 1, 1}, {1, 1}, {}, {}}});
   CHECK(parse_presentation("< | >", "") == Presentation{});
+  // The trefoil, and the quaternion group with its three equal squares.
+  CHECK(parse_presentation("< a, b | a^2 = b^3 >", "") == Presentation{2, {{1, 1, -2, -2, -2}}});
+  CHECK(parse_presentation("< i, j | i^2 = j^2 = ijIJ, i^4 = 1 >", "") ==
+        Presentation{2, {{1, 1, -2, -2}, {1, 1, 2, 1, -2, -1}, {1, 1, 1, 1}}});
   CHECK(parse_presentation("< a | >", "") == Presentation{1, {}});
 }
 
@@ -60,6 +64,8 @@ TEST_CASE("what is no presentation is refused with its place", "[group_text]") {
   CHECK(complaint("< a | a,, >") == "group.txt:1: found ',', expected a word");
   CHECK(complaint("< a | a^b >") == "group.txt:1: found 'b', expected an exponent");
   CHECK(complaint("< a | a* >") == "group.txt:1: found '>', expected a letter after '*'");
+  CHECK(complaint("< a | a = >") == "group.txt:1: found '>', expected a word");
+  CHECK(complaint("< a | = a >") == "group.txt:1: found '=', expected a word");
   CHECK(complaint("< a | a") == "group.txt:1: the text ends, expected '>'");
   CHECK(complaint("< a | a > x") == "group.txt:1: found 'x', expected the end of the presentation");
   CHECK(complaint("< a | a^1000001 >") ==

@@ -7,6 +7,7 @@ Usage: program_test.py PROGRAM SOURCE_DIR
 import json
 import math
 import os
+import re
 import signal
 import subprocess
 import sys
@@ -358,6 +359,31 @@ class Meshes(unittest.TestCase):
             self.assertEqual(os.listdir(folder), ["cubes.mesh"])
 
 
+class WaysOn(InFolder):
+    """What a command refuses names what leads on."""
+
+    def refused(self, *arguments):
+        done = run(*arguments)
+        self.assertEqual((done.returncode, done.stdout, done.stderr.count("\n")), (2, "", 1), arguments)
+        return done.stderr
+
+    def test_a_disk_and_a_sphere(self):
+        disk = self.path("disk.off", "OFF\n4 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n3 0 2 3\n")
+        self.assertIn("; --domain circular maps it, --punch makes more holes", self.refused("slit", disk))
+        sphere = self.path("sphere.off", "OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n")
+        for domain in ("concentric", "circular"):
+            message = self.refused("slit", sphere, "--domain", domain)
+            self.assertIn("; --punch makes holes", message)
+            self.assertNotIn("--domain circular", message)
+        self.assertEqual(run("slit", disk, "--domain", "circular").returncode, 0)
+
+    def test_a_surface_in_no_format(self):
+        torus = os.path.join(SOURCE, "tests/data/mesh/torus.off")
+        message = self.refused("convert", torus, "-o", self.path("torus.gltf"))
+        for format in (".off", ".vtu", ".tri"):
+            self.assertIn(format, message)
+
+
 class CheckSurface(unittest.TestCase):
     # A square ring of eight squares: by hand, loops of length 12 around area 9 and of length 4 around area 1.
     POINTS = [(x, y, 0) for x in range(4) for y in range(4)]
@@ -504,23 +530,41 @@ class BadInput(unittest.TestCase):
         self.assertEqual((done.returncode, done.stderr.count("\n")), (2, 1))
 
 
+def listed_commands(text):
+    return [re.split("  +", line.strip())[0] for line in text.splitlines() if line.startswith("  ")]
+
+
 class Manners(unittest.TestCase):
     def test_examples_work_as_typed(self):
         with tempfile.TemporaryDirectory() as folder:
             os.symlink(os.path.join(SOURCE, "tests"), os.path.join(folder, "tests"))  # examples read its data
-            help_page = run("--help").stdout
-            names = [line.split()[0] for line in help_page.split("Subcommands:")[1].splitlines()
-                     if line.startswith("  ") and line[2] != " "]
+            names = listed_commands(run("--help").stdout)
             self.assertIn("hyperbolize", names)
+            self.assertIn("census gluings", names)
             for name in names:
-                subs = [[name]] if name != "census" else [["census", s] for s in
-                                                          ("gluings", "enumerate", "validate", "list", "show",
-                                                           "identify")]
-                for sub in subs:
-                    example = run(*sub, "--help").stdout.split("Example:")[1].split()
-                    self.assertEqual(example[0], "tetrarch")
-                    done = run(*example[1:], cwd=folder)
-                    self.assertIn(done.returncode, (0, 1), (example, done.stderr))
+                example = run(*name.split(), "--help").stdout.split("Example:")[1].split()
+                self.assertEqual(example[0], "tetrarch")
+                done = run(*example[1:], cwd=folder)
+                self.assertIn(done.returncode, (0, 1), (example, done.stderr))
+
+    def test_without_a_command_the_commands_are_listed_by_group(self):
+        """`tetrarch`, `tetrarch help` and `tetrarch --help` alike; a group lists its own."""
+        table = json.loads(run("help", "--json").stdout)["commands"]
+        names = sorted(command["name"] for command in table)
+        for arguments in ((), ("help",), ("--help",)):
+            done = run(*arguments)
+            self.assertEqual((done.returncode, sorted(listed_commands(done.stdout))), (0, names))
+        text = run().stdout
+        for group in {command["group"] for command in table}:
+            self.assertEqual(text.count("\n" + group + "\n"), 1)
+        for command in table:
+            self.assertRegex(text, "(?m)^  " + command["name"] + " +" + re.escape(command["summary"]) + "$")
+        for arguments in (("census",), ("help", "census"), ("census", "--help")):
+            done = run(*arguments)
+            self.assertEqual((done.returncode, sorted(listed_commands(done.stdout))),
+                             (0, [name for name in names if name.startswith("census ")]))
+        self.assertIn("unknown option '--jsno'", run("--jsno").stderr)
+        self.assertEqual(run("census", "--version").returncode, 2)
 
     def test_version_names_the_libraries(self):
         done = run("--version")
@@ -600,6 +644,16 @@ class Embed(unittest.TestCase):
                 self.assertEqual(done.returncode, 0, done.stderr)
                 with open(self.path(name), "rb") as file:
                     self.assertTrue(file.read().startswith(beginning), name)
+
+    def test_several_files_at_once(self):
+        names = ("several.glb", "several.svg", "several.vtu")
+        done = run("embed", "cPcbbbihq", "--copies", "5", *(word for name in names for word in ("-o", self.path(name))))
+        self.assertEqual(done.returncode, 0, done.stderr)
+        for name in names:
+            alone = self.path("alone" + name[name.index("."):])
+            run("embed", "cPcbbbihq", "--copies", "5", "-o", alone)
+            with open(self.path(name), "rb") as one, open(alone, "rb") as other:
+                self.assertEqual(one.read(), other.read(), name)
 
     def test_the_same_bytes_again(self):
         for name in ("a.glb", "b.glb"):

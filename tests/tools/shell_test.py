@@ -234,6 +234,49 @@ class Scripts(unittest.TestCase):
             self.assertIn(message, done.stderr)
             self.assertTrue(done.stderr.startswith(f"standard input:{len(lines)}: "), done.stderr)
 
+    def test_what_convert_prints_is_taken(self):
+        """A JSON object over many lines is one value, wherever it stands."""
+        text = subprocess.run([PROGRAM, "convert", "fmp2_8"], capture_output=True, text=True, check=True).stdout
+        self.assertGreater(text.count("\n"), 5)
+        done = pipe("Y = " + text.rstrip(), text.rstrip(), "census identify Y")
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.assertIn("name    fmp2_8", done.stdout)
+        done = pipe("Y = cPcbbbihq", "Z = {", '"format": "a } in a text"')
+        self.assertEqual(done.returncode, 2)
+        self.assertTrue(done.stderr.startswith("standard input:2: "), done.stderr)
+
+    def test_a_long_signature_does_not_fill_the_screen(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "many.sig")
+            subprocess.run([PROGRAM, "subdivide", "cPcbbbihq", "--finite", "--barycentric", "2", "-o", path], check=True,
+                           capture_output=True)
+            with open(path) as f:
+                whole = f.read().strip()
+            done = pipe("M = " + path, "M", "convert M --to sig")
+        self.assertEqual(done.returncode, 0)
+        shown = [line for line in done.stdout.splitlines() if line.startswith("signature")][0]
+        self.assertLess(len(shown), 200)
+        self.assertIn(f"{whole[:60]}... ({len(whole)} characters", shown)
+        self.assertEqual(done.stdout.splitlines()[-1], whole)
+
+    def test_json_is_an_object_a_line_with_the_name(self):
+        lines = ("Y = truncate tests/data/knotted_y_8k.mesh", "Z = fmp2_8", "isometric Y Z", "info nothing_here", "Y",
+                 "values")
+        done = subprocess.run([PROGRAM, "shell", "--json", "--keep-going"], input="\n".join(lines), capture_output=True,
+                              text=True, cwd=SOURCE)
+        self.assertEqual((done.returncode, done.stderr.count("\n")), (2, 1))
+        told = [json.loads(line) for line in done.stdout.splitlines()]
+        self.assertEqual([entry["line"] for entry in told], list(lines))
+        self.assertEqual([entry["name"] for entry in told], ["Y", "Z", None, None, None, None])
+        self.assertEqual([entry["status"] for entry in told], [0, 0, 0, 2, 0, 0])
+        self.assertEqual(told[0]["result"]["signature"], "cPcbbbihq")
+        self.assertIs(told[2]["result"]["isometric"], True)
+        self.assertIn("nothing_here", told[3]["error"])
+        self.assertEqual(sorted(told[5]["result"]), ["Y", "Z"])
+        # Unless asked, the first error ends it.
+        done = subprocess.run([PROGRAM, "shell", "--json"], input="\n".join(lines), capture_output=True, text=True, cwd=SOURCE)
+        self.assertEqual((done.returncode, len(done.stdout.splitlines())), (2, 4))
+
     def test_options_for_the_whole_session(self):
         done = pipe("info cPcbbbihq", "Y = fmp2_8", arguments=("--json", "--quiet"))
         self.assertEqual(json.loads(done.stdout)["signature"], "cPcbbbihq")

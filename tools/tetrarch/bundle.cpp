@@ -286,7 +286,7 @@ Result run_bundle(const Options& options, const Context& context) {
   const Made made = make(plan, context);
 
   constexpr int small = 2'000; // tetrahedra; beyond, nobody reads a signature or a group
-  Info info = info_of(made.bundle.total, "", context.progress, made.bundle.total.size() > small);
+  Info info = info_of(made.bundle.total, "", context, made.bundle.total.size() > small);
   // A signature as long as a page is for programs.
   if (!info.rows.empty() && info.rows.back().second.size() > 100) info.rows.pop_back();
   const Singularities singular = singularities(plan, made.bundle, made.proof, options.field, context.seed);

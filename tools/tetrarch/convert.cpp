@@ -84,6 +84,15 @@ Result convert_json_mesh(const Options& options, const format::MeshDocument& mes
   return result;
 }
 
+/// Asked of meshes, before one is turned into a triangulation for nothing.
+void require_extension(const Options& options) {
+  if (options.output.empty() || !options.to.empty() || format::format_for_extension(options.output)) return;
+  throw InputError({options.output, 0},
+                   "no format has this extension (expected of a mesh: .json, .mesh, .msh, "
+                   ".node, .vtk, .vtu, .obj, .off, .stl or .ply; of the triangulation "
+                   "that it becomes: .json, .tri, .sig, .txt or .fmp)");
+}
+
 Result convert(const Options& options, const Context& context) {
   if (const auto to = format::mesh_format_for_extension(options.output); to && options.to.empty())
     return convert_mesh(options, *to, context);
@@ -93,6 +102,7 @@ Result convert(const Options& options, const Context& context) {
     result.value = value;
     return result;
   }
+  if (std::holds_alternative<format::MeshDocument>(*value)) require_extension(options);
   const format::Document document = triangulation_of(options.input, *value, context);
   const format::FileFormat to = target(options);
   format::Written written = format::write_any(document, to);

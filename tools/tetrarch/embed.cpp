@@ -25,7 +25,7 @@ using scene::ModelOptions;
 
 struct Options {
   std::string input;
-  std::string output;
+  std::vector<std::string> outputs;
   std::string model = "half-space";
   std::optional<std::int64_t> copies;
   std::optional<int> word_length;
@@ -58,7 +58,6 @@ bool is_svg(const std::string& path) {
 }
 
 void require_output(const std::string& path) {
-  if (path.empty()) return;
   require_folder(path);
   if (!is_svg(path) && !scene::scene_format_for_extension(path))
     throw InputError({path, 0}, "no picture has this extension (expected .glb, .ply, .obj, .vtu or .svg)");
@@ -193,18 +192,18 @@ ModelOptions model_options(const Body& body, const Options& options) {
   return how;
 }
 
-std::string picture(const Body& body, const Options& options, const Context& context) {
+std::string picture(const std::string& path, const Body& body, const Options& options,
+                    const Context& context) {
   const ModelOptions how = model_options(body, options);
-  if (is_svg(options.output))
+  if (is_svg(path))
     return write_svg(body.view == scene::View::space ? circles_at_infinity(body) : drawing_of(body, how));
-  require_memory(std::to_string(body.copies.size()) + " copies in " + options.output, scene_bytes(body, how),
+  require_memory(std::to_string(body.copies.size()) + " copies in " + path, scene_bytes(body, how),
                  options.memory);
-  return write_scene(in_model(body, how, context.progress),
-                     *scene::scene_format_for_extension(options.output));
+  return write_scene(in_model(body, how, context.progress), *scene::scene_format_for_extension(path));
 }
 
 Result run_embed(const Options& options, const Context& context) {
-  require_output(options.output);
+  for (const std::string& path : options.outputs) require_output(path);
   const embed::PieceBounds wanted = wanted_bounds(options); // complains before anything is computed
   const Embedding e = embedded(options.input, options.cusp_area, context);
   const Drawn drawn = draw(e, wanted, options, context);
@@ -219,8 +218,8 @@ Result run_embed(const Options& options, const Context& context) {
   result.json["residuals"] = residuals_json(r);
   result.json["domain"] = domain_json(e);
   result.json["copies"] = piece_json(drawn.piece);
-  if (!options.output.empty())
-    result.files.push_back({options.output, picture(drawn.body, options, context)});
+  for (const std::string& path : options.outputs)
+    result.files.push_back({path, picture(path, drawn.body, options, context)});
   return result;
 }
 
@@ -230,9 +229,9 @@ Run declare_embed(OptionTable& table) {
   const auto o = std::make_shared<Options>();
   table.add("X", o->input, "a triangulation that carries a hyperbolic structure").required();
   table
-      .add("-o,--output", o->output,
+      .add("-o,--output", o->outputs,
            "write a picture: .glb, .ply, .obj or .vtu; .svg for the circles at infinity or the tiling of a "
-           "boundary")
+           "boundary; may be repeated")
       .value_name("FILE");
   table.add("--copies", o->copies, "greatest number of copies of the domain (1 if no option bounds them)");
   table.add("--word-length", o->word_length, "greatest number of face crossings to a copy");

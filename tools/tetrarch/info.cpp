@@ -49,9 +49,18 @@ Json group_json(const algebra::Presentation& group) {
   return json;
 }
 
+/// The beginning of a signature that would fill the screen.
+std::string on_screen(const std::string& signature) {
+  constexpr std::size_t most = 400;
+  constexpr std::size_t shown = 60;
+  if (signature.size() <= most) return signature;
+  return signature.substr(0, shown) + "... (" + std::to_string(signature.size()) +
+         " characters; 'convert NAME --to sig' prints all)";
+}
+
 } // namespace
 
-Info info_of(const Triangulation& tri, const std::string& name, const Progress& progress, bool brief) {
+Info info_of(const Triangulation& tri, const std::string& name, const Context& context, bool brief) {
   const Skeleton skeleton(tri);
   const std::vector<Defect> defects = check(skeleton);
   const auto boundary = boundary_components(tri, skeleton);
@@ -59,7 +68,8 @@ Info info_of(const Triangulation& tri, const std::string& name, const Progress& 
   const bool has_group = !brief && valid && tri.size() > 0 && skeleton.is_connected();
   const std::string homology = valid ? algebra::homology(tri, skeleton, 1).str() : "";
   algebra::Presentation group;
-  if (has_group) group = simplified(algebra::dual_presentation(tri, skeleton).presentation, {}, progress);
+  if (has_group)
+    group = simplified(algebra::dual_presentation(tri, skeleton).presentation, {}, context.progress);
   const std::string sig = brief ? "" : signature(tri);
 
   Info out;
@@ -91,7 +101,7 @@ Info info_of(const Triangulation& tri, const std::string& name, const Progress& 
   rows.emplace_back("boundary", boundary_text(boundary));
   if (valid) rows.emplace_back("homology", homology);
   if (has_group) rows.emplace_back("group", group.str());
-  if (!brief) rows.emplace_back("signature", sig);
+  if (!brief) rows.emplace_back("signature", context.values == nullptr ? sig : on_screen(sig));
   return out;
 }
 
@@ -100,7 +110,7 @@ Run declare_info(OptionTable& table) {
   table.add("X", *input, "a triangulation or a mesh").required();
   return [input](const Context& context) {
     const format::Document document = read_triangulation(*input, context);
-    Info info = info_of(document.triangulation, document.name, context.progress);
+    Info info = info_of(document.triangulation, document.name, context);
     Result result;
     result.warnings = document.warnings;
     result.json = std::move(info.json);

@@ -14,11 +14,11 @@
 namespace tetrarch::program {
 
 /// The fields of `info`, as JSON and as rows of text. O(n) but for the signature and the group, which are
-/// left out of a brief one (null in JSON).
+/// left out of a brief one (null in JSON). In a session a long signature is cut in the rows.
 struct Info {
   Json json;
   std::vector<std::pair<std::string, std::string>> rows;
 };
-Info info_of(const Triangulation& tri, const std::string& name, const Progress& progress, bool brief = false);
+Info info_of(const Triangulation& tri, const std::string& name, const Context& context, bool brief = false);
 
 } // namespace tetrarch::program

@@ -77,13 +77,19 @@ void require_different(const std::vector<Result::File>& files) {
       throw InputError({file.path, 0}, "two results have this file name; nothing was written");
 }
 
-void deliver(const Result& result, const Common& common, const std::string& speaker) {
+void deliver(const Result& result, const Common& common, const std::string& speaker,
+             const Statement* statement) {
   require_different(result.files);
   for (const Result::File& file : result.files) format::write_file_atomically(file.path, file.content);
   if (!common.quiet)
     for (const std::string& warning : result.warnings)
       std::cerr << speaker << ": warning: " << warning << '\n';
-  if (common.json && !result.json.is_null())
+  if (common.json && statement != nullptr) {
+    if (!result.json.is_null())
+      tell(*statement, result.status, "result", result.json);
+    else if (!result.text.empty())
+      tell(*statement, result.status, "result", result.text);
+  } else if (common.json && !result.json.is_null())
     std::cout << result.json.dump(2) << '\n';
   else
     std::cout << result.text;
@@ -103,9 +109,19 @@ Status complain(const std::string& speaker, const std::string& message, Status s
   return status;
 }
 
-Done run_job(const Job& job, const Values* values, const std::string& speaker) {
+void tell(const Statement& statement, Status status, const std::string& key, Json value) {
+  Json json;
+  json["name"] = statement.name.empty() ? Json() : Json(statement.name);
+  json["line"] = statement.line;
+  json["status"] = static_cast<int>(status);
+  json[key] = std::move(value);
+  std::cout << json.dump() << std::endl;
+}
+
+Done run_job(const Job& job, const Values* values, const std::string& speaker, const Statement* statement) {
   const Common& common = job.common;
-  const auto failed = [&speaker](const std::string& message, Status status) {
+  const auto failed = [&](const std::string& message, Status status) {
+    if (common.json && statement != nullptr) tell(*statement, status, "error", message);
     return Done{complain(speaker, message, status), nullptr};
   };
   const ProgressBar bar(!common.quiet);
@@ -113,7 +129,7 @@ Done run_job(const Job& job, const Values* values, const std::string& speaker) {
     const Context context{common, Progress(bar.report(), interrupts().token()), values, nullptr, {}};
     Result result = job.run(context);
     bar.clear();
-    deliver(result, common, speaker);
+    deliver(result, common, speaker, statement);
     return {result.status, std::move(result.value)};
   } catch (const Stopped&) {
     bar.clear();

@@ -21,7 +21,18 @@ struct Done {
   ValuePointer value; ///< what the job made, if it made something
 };
 
-/// Runs the job, then writes its files and prints. Throws nothing.
-Done run_job(const Job& job, const Values* values, const std::string& speaker);
+/// What a session does, for those who read along as programs.
+struct Statement {
+  std::string name; ///< that is assigned to; empty: none
+  std::string line;
+};
+
+/// Runs the job, then writes its files and prints. With a statement and `--json` that is one object in one
+/// line, also of an error: {"name", "line", "status", "result" or "error"}. Throws nothing.
+Done run_job(const Job& job, const Values* values, const std::string& speaker,
+             const Statement* statement = nullptr);
+
+/// The object of a statement that is not the work of a job, or failed before there was one.
+void tell(const Statement& statement, Status status, const std::string& key, Json value);
 
 } // namespace tetrarch::program

@@ -186,7 +186,7 @@ Result make_moves(const Options& options, const Context& context) {
     if (options.log.empty()) complex.pack();
   }
   format::Document made = format::document_of(complex.triangulation(), document.name);
-  Info info = info_of(made.triangulation, made.name, context.progress);
+  Info info = info_of(made.triangulation, made.name, context);
   result.json = std::move(info.json);
   result.json["moves"] = log.size();
   result.text = block(info.rows);

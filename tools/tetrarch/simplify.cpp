@@ -106,7 +106,7 @@ Result simplify(const Options& options, const Context& context) {
   run.simplify.change_boundary = !options.keep_boundary;
   Triangulation tri =
       timed(run, [&] { return moves::simplified(run.input.triangulation, run.simplify, context.progress); });
-  Info info = info_of(tri, run.input.name, context.progress);
+  Info info = info_of(tri, run.input.name, context);
   return deliver(options, run, std::move(tri), std::move(info));
 }
 
@@ -131,7 +131,7 @@ Result truncate(const Options& options, const Context& context) {
   how.simplify = run.simplify;
   moves::Truncation made =
       timed(run, [&] { return moves::truncate(run.input.triangulation, how, context.progress); });
-  Info info = info_of(made.tri, run.input.name, context.progress);
+  Info info = info_of(made.tri, run.input.name, context);
   info.json["boundary_map"] = boundary_map(made);
   info.json["finite_vertices"] = made.finite_vertices;
   Json steps = Json::array();

@@ -211,14 +211,21 @@ Made make(const mesh::OpenedMesh& surface, const std::vector<mesh::BoundaryLoop>
 }
 
 /// Spheres with two holes, or one where that will do.
+/// Which option leads on from a surface that has no slit map.
+std::string way_on(const SurfaceType& type) {
+  if (!type.orientable) return {};
+  if (type.genus() > 0) return "; --open-handles cuts it open";
+  return type.boundary_curves == 0 ? "; --punch makes holes"
+                                   : "; --domain circular maps it, --punch makes more holes";
+}
+
 void check_type(const mesh::Surface& surface, const Options& options) {
   const SurfaceType type = mesh::type_of(surface);
   const int least = options.is_circular() && !options.fingerprint ? 1 : 2;
   if (type.orientable && type.euler + type.boundary_curves == 2 && type.boundary_curves >= least) return;
   throw InputError({options.input, 0},
                    std::string("slit maps need a sphere with ") + (least == 1 ? "a hole" : "two holes") +
-                       " at least, but this surface has type " + type.str() +
-                       (type.orientable && type.genus() > 0 ? "; --open-handles cuts it open" : ""));
+                       " at least, but this surface has type " + type.str() + way_on(type));
 }
 
 slit::Fingerprint fingerprint(const mesh::OpenedMesh& surface, Chosen loops, const std::string& path,

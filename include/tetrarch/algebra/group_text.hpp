@@ -5,6 +5,7 @@
 ///
 ///     < a, b | abAB, a^3, a*b^-2 >     a generator is a lower-case letter, digits may follow it;
 ///     < g1, g2 | g1G2 >                its capital is its inverse; 1 is the empty word
+///     < a, b | a^2 = b^3 >             equal words: the first times the inverse of each other one is 1
 
 #include "tetrarch/algebra/group.hpp"
 

@@ -55,7 +55,8 @@ std::string first_argument(const std::vector<std::string>& words) {
 
 } // namespace
 
-Session::Session(const Common& defaults) : defaults_(defaults), verbs_(commands()) {
+Session::Session(const Common& defaults, bool keeps_going)
+    : defaults_(defaults), keeps_going_(keeps_going), verbs_(commands()) {
   // A shell in a shell would forget its values on the way out.
   std::erase_if(verbs_, [](const Command& c) { return std::string_view(c.name) == "shell"; });
   for (Command& own : own_verbs()) verbs_.push_back(std::move(own));
@@ -68,7 +69,7 @@ bool Session::is_verb(const std::string& word) const {
   });
 }
 
-bool Session::changes_value(const Statement& statement) const {
+bool Session::changes_value(const Parts& statement) const {
   const auto changes = [&statement](const Command& c) {
     return c.changes && statement.words.front() == c.name;
   };
@@ -76,9 +77,10 @@ bool Session::changes_value(const Statement& statement) const {
          values_.contains(first_argument(statement.words));
 }
 
-Session::Statement Session::statement_of(std::string_view line) const {
+Session::Parts Session::statement_of(std::string_view line) const {
   line = trimmed(line);
-  Statement statement{std::string(line), {}, {}};
+  Parts statement;
+  statement.line = line;
   const std::size_t equals = line.find('=');
   if (equals != std::string_view::npos && is_name(trimmed(line.substr(0, equals)))) {
     statement.name = trimmed(line.substr(0, equals));
@@ -95,18 +97,27 @@ Session::Statement Session::statement_of(std::string_view line) const {
 }
 
 Status Session::run(std::string_view line, const std::string& speaker) {
+  Parts statement;
+  statement.line = trimmed(line);
   try {
-    const Statement statement = statement_of(line);
+    statement = statement_of(line);
     if (statement.words.empty()) return Status::done;
     return execute(statement, speaker);
   } catch (const InputError& e) {
-    return complain(speaker, e.what(), Status::bad_input);
+    return complain_of(statement, speaker, e.what(), Status::bad_input);
   } catch (const std::exception& e) {
-    return complain(speaker, std::string("internal error, please report it: ") + e.what(), Status::fault);
+    return complain_of(statement, speaker, std::string("internal error, please report it: ") + e.what(),
+                       Status::fault);
   }
 }
 
-Status Session::execute(const Statement& statement, const std::string& speaker) {
+Status Session::complain_of(const Statement& statement, const std::string& speaker,
+                            const std::string& message, Status status) const {
+  if (defaults_.json) tell(statement, status, "error", message);
+  return complain(speaker, message, status);
+}
+
+Status Session::execute(const Parts& statement, const std::string& speaker) {
   std::vector<std::string> words = statement.words;
   if (words.size() == 1 && !is_verb(words[0]) && !words[0].starts_with("-")) {
     if (!statement.name.empty()) {
@@ -125,7 +136,7 @@ Status Session::execute(const Statement& statement, const std::string& speaker) 
     std::cout << parsed.text << std::flush;
     return Status::done;
   }
-  const Done done = run_job(*parsed.job, &values_, speaker);
+  const Done done = run_job(*parsed.job, &values_, speaker, &statement);
   const std::string name = changes_value(statement) ? first_argument(words) : statement.name;
   if (name.empty() || is_failure(done.status)) return done.status;
   if (done.value != nullptr)
@@ -135,15 +146,18 @@ Status Session::execute(const Statement& statement, const std::string& speaker) 
   return done.status;
 }
 
-void Session::name_what_is_given(const Statement& statement) {
+void Session::name_what_is_given(const Parts& statement) {
   Context context;
   context.values = &values_;
   assign(statement.name, read_value(statement.words.front(), context), statement);
-  if (!defaults_.quiet) std::cout << statement.name << ": " << summary(*values_.at(statement.name)) << '\n';
+  if (defaults_.json)
+    tell(statement, Status::done, "result", summary(*values_.at(statement.name)));
+  else if (!defaults_.quiet)
+    std::cout << statement.name << ": " << summary(*values_.at(statement.name)) << '\n';
 }
 
 /// What made a value is what made the values that it was made from, and the line itself.
-void Session::assign(const std::string& name, ValuePointer value, const Statement& statement) {
+void Session::assign(const std::string& name, ValuePointer value, const Parts& statement) {
   Lines lines;
   std::vector<std::string> seen;
   for (const std::string& word : statement.words) {
@@ -171,13 +185,41 @@ Status Session::run_file(const std::string& path) {
   }
   std::istream& in = path == "-" ? std::cin : file;
   ++depth_;
-  Status status = Status::done;
-  std::string line;
-  for (int number = 1; !ended_ && !is_failure(status) && std::getline(in, line); ++number)
-    status = run(line, source + ":" + std::to_string(number));
+  Status first = Status::done;
+  int number = 0;
+  const auto next = [&in, &number](std::string& line) {
+    ++number;
+    return static_cast<bool>(std::getline(in, line));
+  };
+  for (std::string line; !ended_ && (keeps_going_ || !is_failure(first)) && next(line);) {
+    const std::string speaker = source + ":" + std::to_string(number);
+    for (std::string more; is_open(line) && next(more);) line += "\n" + more;
+    const Status status = run(line, speaker);
+    if (!is_failure(first) && is_failure(status)) first = status;
+  }
   --depth_;
   if (in.bad()) throw InputError({path, 0}, "cannot be read");
-  return is_failure(status) ? status : Status::done;
+  return is_failure(first) ? first : Status::done;
+}
+
+bool Session::is_open(std::string_view text) {
+  const std::size_t equals = text.find('=');
+  if (equals != std::string_view::npos && is_name(trimmed(text.substr(0, equals))))
+    text.remove_prefix(equals + 1);
+  text = trimmed(text);
+  if (!text.starts_with('{')) return false;
+  int depth = 0;
+  bool is_quoted = false;
+  for (std::size_t k = 0; k < text.size(); ++k) {
+    const char c = text[k];
+    if (is_quoted && c == '\\')
+      ++k;
+    else if (c == '"')
+      is_quoted = !is_quoted;
+    else if (!is_quoted)
+      depth += c == '{' || c == '[' ? 1 : c == '}' || c == ']' ? -1 : 0;
+  }
+  return depth > 0;
 }
 
 void Session::require_value(const std::string& name) const {

@@ -22,16 +22,20 @@ namespace tetrarch::program {
 
 class Session {
 public:
-  /// `defaults` holds for every line that says nothing else.
-  explicit Session(const Common& defaults);
+  /// `defaults` holds for every line that says nothing else. Files run to their end if it keeps going.
+  explicit Session(const Common& defaults, bool keeps_going = false);
   Session(const Session&) = delete;
   Session& operator=(const Session&) = delete;
 
   /// Does what the line says; errors are told on standard error, after `speaker`. Throws nothing.
   Status run(std::string_view line, const std::string& speaker);
   /// Runs the lines of a file (or of standard input, "-") up to the first that fails, and gives its status; a
-  /// proved no and an undecided question are no failures. Errors name file and line.
+  /// proved no and an undecided question are no failures. One that keeps going runs all lines and gives the
+  /// status of the first that fails. Errors name file and line.
   Status run_file(const std::string& path);
+
+  /// Whether the line goes on: JSON that is spelled out ends with the bracket that closes it.
+  static bool is_open(std::string_view text);
 
   /// After `quit`.
   bool ended() const { return ended_; }
@@ -49,18 +53,16 @@ private:
     std::string line;
   };
   /// A line, taken apart.
-  struct Statement {
-    std::string line;
-    std::string name; ///< that is assigned to; empty: none
+  struct Parts : Statement {
     std::vector<std::string> words;
   };
 
-  Statement statement_of(std::string_view line) const;
-  Status execute(const Statement& statement, const std::string& speaker);
-  void name_what_is_given(const Statement& statement);
-  void assign(const std::string& name, ValuePointer value, const Statement& statement);
+  Parts statement_of(std::string_view line) const;
+  Status execute(const Parts& statement, const std::string& speaker);
+  void name_what_is_given(const Parts& statement);
+  void assign(const std::string& name, ValuePointer value, const Parts& statement);
   bool is_verb(const std::string& word) const;
-  bool changes_value(const Statement& statement) const;
+  bool changes_value(const Parts& statement) const;
 
   Result list() const;
   Result print(const std::vector<std::string>& names) const;
@@ -70,7 +72,11 @@ private:
   std::vector<Command> own_verbs();
   void require_value(const std::string& name) const;
 
+  Status complain_of(const Statement& statement, const std::string& speaker, const std::string& message,
+                     Status status) const;
+
   Common defaults_;
+  bool keeps_going_;
   std::vector<Command> verbs_;
   Values values_;
   std::map<std::string, Lines, std::less<>> lines_; ///< by which each value was made

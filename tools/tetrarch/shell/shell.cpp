@@ -44,6 +44,11 @@ Status converse(Session& session) {
     }
     // A line pasted with its prompt.
     if (line->starts_with(prompt)) line->erase(0, std::char_traits<char>::length(prompt));
+    while (Session::is_open(*line)) { // an empty line gives it up
+      const std::optional<std::string> more = editor.line();
+      if (!more || more->empty()) break;
+      *line += "\n" + *more;
+    }
     session.run(*line, "tetrarch");
   }
   return Status::done;
@@ -54,9 +59,12 @@ Status converse(Session& session) {
 Run declare_shell(OptionTable& table) {
   const auto file = std::make_shared<std::string>();
   table.add("FILE", *file, "a script with one command per line, or - for standard input (default: a prompt)");
-  return [file](const Context& context) {
+  const auto keeps_going = std::make_shared<bool>(false);
+  table.add("--keep-going", *keeps_going,
+            "go on after a line that fails; the status is that of the first one");
+  return [file, keeps_going](const Context& context) {
     be_patient();
-    Session session(context);
+    Session session(context, *keeps_going);
     Result result;
     const bool typed = file->empty() && isatty(STDIN_FILENO) == 1;
     result.status = typed ? converse(session) : session.run_file(file->empty() ? "-" : *file);
