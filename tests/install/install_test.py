@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A copy installed into a folder of its own, and moved: the program, its pages and completions, the library as
-another project uses it.
+"""A copy installed into a folder of its own, and moved: the program, its samples, texts, pages and completions, the
+library as another project uses it.
 
 Usage: install_test.py BUILD_DIR SOURCE_DIR CXX_COMPILER
 """
@@ -9,6 +9,7 @@ import json
 import os
 import pathlib
 import re
+import shlex
 import shutil
 import subprocess
 import sys
@@ -51,18 +52,101 @@ def table():
     return json.loads(program("help", "--json"))
 
 
+# In a mount namespace of its own the folders $1 and $2 are empty; the rest is the command. Without the right to make
+# one, as in some containers, it says 99.
+OUT_OF_REACH = """mount -t tmpfs none "$1" && mount -t tmpfs none "$2" || exit 99
+shift 2
+exec "$@"
+"""
+
+
+def with_nothing_else(*command, **options):
+    """Runs a command to which the source tree and the build folder look empty; None where that cannot be had."""
+    # The build folder first: it may lie in the source tree.
+    hidden = ["unshare", "--map-root-user", "--mount", "sh", "-c", OUT_OF_REACH, "sh", BUILD, SOURCE, *command]
+    done = subprocess.run([str(word) for word in hidden], capture_output=True, text=True, timeout=300, **options)
+    return None if done.returncode == 99 or done.stderr.startswith("unshare:") else done
+
+
 class Program(unittest.TestCase):
     def test_it_runs(self):
         self.assertIn(f"volume      {VOLUME}\n", program("hyperbolize", KNOTTED_Y))
 
-    def test_it_brings_its_texts(self):
-        share = PREFIX / "share"
-        for name in ("README.md", "CHANGELOG.md", "LICENSE"):
+    def test_it_names_no_place_of_the_source_tree(self):
+        self.assertNotIn(str(SOURCE).encode() + b"/", (PREFIX / "bin/tetrarch").read_bytes())
+
+    def test_it_brings_its_samples(self):
+        for path in (PREFIX / "share/tetrarch/samples").iterdir():
+            originals = [file.read_bytes() for file in (SOURCE / "tests/data").rglob(path.name)]
+            self.assertIn(path.read_bytes(), originals, path)
+        self.assertLess(sum(path.stat().st_size for path in (PREFIX / "share/tetrarch/samples").iterdir()), 2e6)
+
+    def test_a_file_here_comes_before_a_sample_of_its_name(self):
+        with tempfile.TemporaryDirectory() as folder:
+            (pathlib.Path(folder) / "samples").mkdir()
+            shutil.copy(SOURCE / "tests/data/mesh/cube.off", pathlib.Path(folder) / "samples/torus.off")
+            said = [run(PREFIX / "bin/tetrarch", "check", "samples/torus.off", cwd=place) for place in (folder, WORK)]
+        self.assertIn("sphere", said[0])
+        self.assertIn("torus", said[1])
+
+    def test_a_sample_that_is_not_there(self):
+        done = subprocess.run([PREFIX / "bin/tetrarch", "check", "samples/tours.off"], cwd=WORK, capture_output=True,
+                              text=True)
+        self.assertEqual(done.returncode, 2)
+        self.assertRegex(done.stderr, r"^tetrarch: samples/tours.off: no such file, and no such sample \(.*torus.off.*\)\n$")
+
+    def test_every_example_of_every_help_works_in_an_empty_folder(self):
+        seen = set()
+        for command in table()["commands"]:
+            name = command["name"].split()
+            example = program(*name, "--help").split("Example:")[1].strip().splitlines()[0].strip()
+            self.assertEqual(example, command["example"])
+            words = shlex.split(example)
+            with tempfile.TemporaryDirectory() as folder:
+                done = with_nothing_else(PREFIX / "bin/tetrarch", *words[1:], cwd=folder)
+                if done is None:
+                    done = subprocess.run([PREFIX / "bin/tetrarch", *words[1:]], cwd=folder, capture_output=True,
+                                          text=True, timeout=300)
+                # 1: proved not to be isometric, say
+                self.assertIn(done.returncode, (0, 1), f"{example}: {done.stderr}")
+                for k, word in enumerate(words):
+                    if word == "-o":
+                        self.assertGreater((pathlib.Path(folder) / words[k + 1]).stat().st_size, 0, example)
+            seen.add(words[1])
+        self.assertTrue({"check", "truncate", "bundle", "slit", "register", "product", "shell", "view"} <= seen)
+
+
+class Texts(unittest.TestCase):
+    share = PREFIX / "share"
+    folder = PREFIX / "share/doc/tetrarch"
+
+    def test_they_are_there(self):
+        share = self.share
+        for name in ("CHANGELOG.md", "LICENSE"):
             self.assertEqual((share / "doc/tetrarch" / name).read_bytes(), (SOURCE / name).read_bytes())
         census = [path.relative_to(SOURCE) for path in (SOURCE / "census").rglob("*.json")]
         self.assertTrue({"fmp2.json", "fmp3.json", "triangulation.schema.json"} <= {path.name for path in census})
         for path in census:
             self.assertEqual((share / "tetrarch" / path).read_bytes(), (SOURCE / path).read_bytes(), path)
+        guide = {path.name for path in (SOURCE / "tools/guide").glob("*.*") if path.suffix in (".md", ".png", ".svg")}
+        self.assertEqual({path.name for path in (self.folder / "guide").iterdir()}, guide)
+
+    def test_their_links_lead_somewhere(self):
+        for page in self.folder.rglob("*.md"):
+            text = page.read_text(encoding="utf-8")
+            for link in re.findall(r'\]\(([^)#]+)[^)]*\)|src="([^"]+)"', text):
+                (place,) = [part for part in link if part]
+                if "://" not in place:
+                    self.assertTrue((page.parent / place).exists(), f"{page}: {place}")
+
+    def test_their_commands_name_samples_that_are_there(self):
+        names = {path.name for path in (self.share / "tetrarch/samples").iterdir()}
+        for page in self.folder.rglob("*.md"):
+            for line in page.read_text(encoding="utf-8").splitlines():
+                # One page shows what is said of a file that is not there.
+                if re.match(r"    \$ tetrarch|    tetrarch> ", line) and "nothing.mesh" not in line:
+                    self.assertNotIn("tests/data", line, page)
+                    self.assertLessEqual(set(re.findall(r"samples/([\w.]+)", line)), names, f"{page}: {line}")
 
 
 class Pages(unittest.TestCase):

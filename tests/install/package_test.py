@@ -74,7 +74,8 @@ class Contents(unittest.TestCase):
     def test_where_things_are(self):
         for file in ("bin/tetrarch", "share/man/man1/tetrarch.1.gz", "share/man/man1/tetrarch-census-list.1.gz",
                      "share/bash-completion/completions/tetrarch", "share/zsh/vendor-completions/_tetrarch",
-                     "share/tetrarch/census/fmp2.json", "share/doc/tetrarch/copyright",
+                     "share/tetrarch/census/fmp2.json", "share/tetrarch/samples/torus.off",
+                     "share/doc/tetrarch/guide/overview.md", "share/doc/tetrarch/copyright",
                      "share/doc/tetrarch/changelog.gz"):
             self.assertIn("/usr/" + file, PROGRAM.modes)
         for file in ("lib/libtetrarch.a", "lib/cmake/tetrarch/tetrarch-config.cmake", "include/tetrarch/core/error.hpp",
@@ -97,6 +98,7 @@ class Contents(unittest.TestCase):
         said = run(PROGRAM.root / "usr/bin/tetrarch", "info", "cPcbbbihq")
         self.assertRegex(said, r"(?m)^tetrahedra +2$")
         self.assertRegex(said, r"(?m)^boundary +genus 2 \(ideal\)$")
+        self.assertIn("torus", run(PROGRAM.root / "usr/bin/tetrarch", "check", "samples/torus.off"))
 
 
 if __name__ == "__main__":

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "input.hpp"
 
+#include "samples.hpp"
+
 #include "tetrarch/algebra/group_text.hpp"
 #include "tetrarch/census/manifold.hpp"
 #include "tetrarch/core/check.hpp"
@@ -65,7 +67,7 @@ const Value* value_named(const std::string& name, const Context& context) {
 
 bool is_file(const std::string& argument) {
   std::error_code ignored;
-  return argument == "-" || std::filesystem::exists(argument, ignored);
+  return argument == "-" || std::filesystem::exists(located(argument), ignored);
 }
 
 bool is_json(const std::string& argument) {
@@ -103,7 +105,7 @@ format::Document spelled_out(const std::string& argument) {
 /// The mesh in a file, or nothing if something else is in it, which is then `text`.
 std::optional<format::MeshDocument> mesh_in(const std::string& path, std::string& text) {
   const std::string source = format::source_name(path);
-  text = format::read_file(path);
+  text = format::read_file(located(path));
   const auto format = format::recognise_mesh(text, source);
   if (!format) return std::nullopt;
   if (*format == format::MeshFormat::json) return format::read_mesh_json(text, source);
@@ -149,7 +151,10 @@ format::Soup read_soup(const std::string& argument, const Context& context) {
   if (!is_file(argument))
     throw InputError({argument, 0},
                      "no such file (expected a mesh: other triangulations have no coordinates)");
-  return format::read_soup_file(argument);
+  const std::string path = located(argument);
+  format::Soup soup = format::read_soup_file(path);
+  if (path != argument) soup.source = argument;
+  return soup;
 }
 
 format::GroupDocument read_group(const std::string& argument, const Context& context, bool as_given) {

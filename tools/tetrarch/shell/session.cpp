@@ -4,6 +4,7 @@
 #include "../describe.hpp"
 #include "../input.hpp"
 #include "../nearest.hpp"
+#include "../samples.hpp"
 #include "../text.hpp"
 #include "value_text.hpp"
 #include "words.hpp"
@@ -166,7 +167,7 @@ Status Session::run_file(const std::string& path) {
   const std::string source = path == "-" ? "standard input" : path;
   std::ifstream file;
   if (path != "-") {
-    file.open(path);
+    file.open(located(path));
     if (!file) throw InputError({path, 0}, "cannot be opened");
   }
   std::istream& in = path == "-" ? std::cin : file;
