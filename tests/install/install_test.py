@@ -5,6 +5,7 @@ library as another project uses it.
 
 Usage: install_test.py BUILD_DIR SOURCE_DIR CXX_COMPILER
 """
+import ctypes
 import json
 import os
 import pathlib
@@ -234,6 +235,14 @@ class Library(unittest.TestCase):
             "-DCMAKE_BUILD_TYPE=Release")
         run("cmake", "--build", build)
         self.assertEqual(run(build / "knotted_y", KNOTTED_Y), VOLUME + "\n")
+        self.check_shared_object(build / "libvolume.so")
+
+    def check_shared_object(self, file):
+        """One of twenty lines, into which the static library went, as any other program may load it."""
+        volume = ctypes.CDLL(file).volume_of
+        volume.argtypes, volume.restype = [ctypes.c_char_p], ctypes.c_double
+        self.assertAlmostEqual(volume(KNOTTED_Y.encode()), float(VOLUME), 12)
+        self.assertEqual(volume(b"no signature"), -1)
 
     def test_a_later_version_is_refused(self):
         project = WORK / "later"
