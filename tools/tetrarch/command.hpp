@@ -10,9 +10,11 @@
 #include "value.hpp"
 
 #include "tetrarch/core/progress.hpp"
+#include "tetrarch/format/ledger.hpp"
 
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -43,6 +45,11 @@ struct Common {
 };
 
 struct Command;
+/// What a command has read so far.
+struct Reads {
+  bool any = false;
+  format::Ledger passed_over;
+};
 
 /// What every command is given besides its own options.
 struct Context : Common {
@@ -50,6 +57,8 @@ struct Context : Common {
   const Values* values = nullptr;                 ///< what names mean; null outside a session
   const std::vector<Command>* commands = nullptr; ///< the table that the command stands in
   std::string program;                            ///< what usage lines begin with; empty in a session
+  /// Whoever reads an input notes here what was passed over; it is printed with the result.
+  std::shared_ptr<Reads> reads = std::make_shared<Reads>();
 };
 
 using Run = std::function<Result(const Context&)>;

@@ -69,17 +69,44 @@ InterruptWatch& interrupts() {
   return watch;
 }
 
-/// One file cannot hold two results.
-void require_different(const std::vector<Result::File>& files) {
-  std::set<std::filesystem::path> paths;
+/// One file cannot hold two results. `paths` are those of earlier ones, to which these are added.
+void require_different(const std::vector<Result::File>& files, std::set<std::filesystem::path>& paths) {
   for (const Result::File& file : files)
     if (!paths.insert(std::filesystem::weakly_canonical(std::filesystem::absolute(file.path))).second)
       throw InputError({file.path, 0}, "two results have this file name; nothing was written");
 }
 
+Json ledger_json(const format::Ledger& ledger) {
+  Json list = Json::array();
+  for (const format::Ledger::Entry& e : ledger.entries())
+    list.push_back({{"what", e.what}, {"count", e.count}});
+  return list;
+}
+
+/// Adds to the result what was passed over by those who read for it.
+void tell_reads(Result& result, const Reads& reads) {
+  if (!reads.any) return;
+  if (!reads.passed_over.empty())
+    result.warnings.insert(result.warnings.begin(), reads.passed_over.sentence());
+  if (result.json.is_object()) result.json["passed_over"] = ledger_json(reads.passed_over);
+}
+
+/// Adds whose result it is.
+void tell_input(Result& result, const Share& share) {
+  for (std::string& warning : result.warnings) warning = share.input + ": " + warning;
+  if (result.json.is_object()) {
+    Json named{{"input", share.input}};
+    if (!share.name.empty()) named["name"] = share.name;
+    named.update(result.json);
+    result.json = std::move(named);
+  }
+  result.text = share.input + (share.name.empty() ? "" : "  " + share.name) + "\n" + result.text + "\n";
+}
+
 void deliver(const Result& result, const Common& common, const std::string& speaker,
-             const Statement* statement) {
-  require_different(result.files);
+             const Statement* statement, Share* share) {
+  std::set<std::filesystem::path> paths;
+  require_different(result.files, share == nullptr ? paths : share->written);
   for (const Result::File& file : result.files) format::write_file_atomically(file.path, file.content);
   if (!common.quiet)
     for (const std::string& warning : result.warnings)
@@ -90,7 +117,7 @@ void deliver(const Result& result, const Common& common, const std::string& spea
     else if (!result.text.empty())
       tell(*statement, result.status, "result", result.text);
   } else if (common.json && !result.json.is_null())
-    std::cout << result.json.dump(2) << '\n';
+    std::cout << result.json.dump(share == nullptr ? 2 : -1) << '\n';
   else
     std::cout << result.text;
   std::cout.flush();
@@ -118,18 +145,26 @@ void tell(const Statement& statement, Status status, const std::string& key, Jso
   std::cout << json.dump() << std::endl;
 }
 
-Done run_job(const Job& job, const Values* values, const std::string& speaker, const Statement* statement) {
+Done run_job(const Job& job, const Values* values, const std::string& speaker, const Statement* statement,
+             Share* share) {
   const Common& common = job.common;
   const auto failed = [&](const std::string& message, Status status) {
     if (common.json && statement != nullptr) tell(*statement, status, "error", message);
-    return Done{complain(speaker, message, status), nullptr};
+    const bool says_whose = share == nullptr || message.starts_with(share->input);
+    return Done{complain(speaker, says_whose ? message : share->input + ": " + message, status), nullptr};
   };
   const ProgressBar bar(!common.quiet);
   try {
-    const Context context{common, Progress(bar.report(), interrupts().token()), values, nullptr, {}};
+    Context context;
+    static_cast<Common&>(context) = common;
+    context.progress = Progress(bar.report(), interrupts().token());
+    context.values = values;
+    if (share != nullptr) context.reads->passed_over.add(share->passed_over);
     Result result = job.run(context);
     bar.clear();
-    deliver(result, common, speaker, statement);
+    tell_reads(result, *context.reads);
+    if (share != nullptr) tell_input(result, *share);
+    deliver(result, common, speaker, statement, share);
     return {result.status, std::move(result.value)};
   } catch (const Stopped&) {
     bar.clear();

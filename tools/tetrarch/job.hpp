@@ -5,6 +5,8 @@
 
 #include "parse.hpp"
 
+#include <filesystem>
+#include <set>
 #include <string>
 
 namespace tetrarch::program {
@@ -15,6 +17,14 @@ void be_patient();
 
 /// One line on standard error that begins with `speaker` ("tetrarch", "moves.txt:3"). Gives the status back.
 Status complain(const std::string& speaker, const std::string& message, Status status);
+
+/// What sets one of many jobs apart (mapping.hpp).
+struct Share {
+  std::string input;                       ///< what the job is about: "knots.rga#3"
+  std::string name;                        ///< that it has in its file
+  std::set<std::filesystem::path> written; ///< by the jobs before
+  format::Ledger passed_over;              ///< to be told with this job
+};
 
 struct Done {
   Status status = Status::done;
@@ -28,9 +38,10 @@ struct Statement {
 };
 
 /// Runs the job, then writes its files and prints. With a statement and `--json` that is one object in one
-/// line, also of an error: {"name", "line", "status", "result" or "error"}. Throws nothing.
+/// line, also of an error: {"name", "line", "status", "result" or "error"}; with a share it is an object in a
+/// line with the input's name. Throws nothing.
 Done run_job(const Job& job, const Values* values, const std::string& speaker,
-             const Statement* statement = nullptr);
+             const Statement* statement = nullptr, Share* share = nullptr);
 
 /// The object of a statement that is not the work of a job, or failed before there was one.
 void tell(const Statement& statement, Status status, const std::string& key, Json value);

@@ -37,7 +37,10 @@ public:
     text += indent_ < 0 ? ":" : ": ";
   }
 
-  void scalar(const auto& value) { text += nlohmann::ordered_json(value).dump(); }
+  void scalar(const auto& value) {
+    using Library = nlohmann::ordered_json;
+    text += Library(value).dump(-1, ' ', false, Library::error_handler_t::replace);
+  }
 
   std::string text;
 
@@ -156,6 +159,11 @@ const Json& Json::front() const {
   return *begin();
 }
 
+const Json& Json::back() const {
+  if (empty()) refuse("array with items");
+  return *(end() - 1);
+}
+
 Json::Array::const_iterator Json::begin() const {
   const Array* const items = std::get_if<Array>(&value_);
   if (items == nullptr) refuse("array");
@@ -166,6 +174,12 @@ Json::Array::const_iterator Json::end() const {
   const Array* const items = std::get_if<Array>(&value_);
   if (items == nullptr) refuse("array");
   return items->end();
+}
+
+const std::string& Json::text() const {
+  const std::string* const value = std::get_if<std::string>(&value_);
+  if (value == nullptr) refuse("text");
+  return *value;
 }
 
 int Json::integer() const {

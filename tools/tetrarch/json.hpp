@@ -51,6 +51,7 @@ public:
   static Json parse(std::string_view text);
 
   bool is_null() const { return value_.index() == 0; }
+  bool is_object() const { return std::holds_alternative<Object>(value_); }
   /// Of an array or object; 0 of anything else.
   std::size_t size() const;
   bool empty() const { return size() == 0; }
@@ -67,11 +68,13 @@ public:
   /// Null becomes an array. Throws PreconditionError for what is neither.
   void push_back(Json item);
   const Json& front() const;
+  const Json& back() const;
   Array::const_iterator begin() const;
   Array::const_iterator end() const;
 
-  int integer() const;   ///< throws PreconditionError unless it is one
-  double number() const; ///< likewise
+  const std::string& text() const; ///< throws PreconditionError unless it is one
+  int integer() const;             ///< throws PreconditionError unless it is one
+  double number() const;           ///< likewise
 
   /// JSON text, in one line; with an `indent`, an item a line. Numbers that are not finite become null.
   std::string dump(int indent = -1) const;

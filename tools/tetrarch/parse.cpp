@@ -2,6 +2,7 @@
 #include "parse.hpp"
 
 #include "describe.hpp"
+#include "input.hpp"
 #include "nearest.hpp"
 #include "version.hpp"
 
@@ -9,6 +10,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <iterator>
 #include <limits>
 #include <memory>
 #include <thread>
@@ -76,9 +78,9 @@ struct CommandLine {
   }
 };
 
-/// An option as it is typed: no number.
+/// An option as it is typed: no number and no signature.
 bool looks_like_option(const std::string& word) {
-  if (word.size() < 2 || word[0] != '-') return false;
+  if (word.size() < 2 || word[0] != '-' || shielded(word) != word) return false;
   const char second = word[1];
   return second != '.' && !(second >= '0' && second <= '9');
 }
@@ -130,8 +132,10 @@ Parsed parse(const std::vector<std::string>& words, const std::vector<Command>& 
   const auto line = std::make_shared<CommandLine>(*named.command, program, defaults);
   require_known_options(named, words, line->options);
   try {
-    line->app.parse(std::vector<std::string>(
-        words.rbegin(), words.rend() - static_cast<std::ptrdiff_t>(named.words))); // taken from the back
+    std::vector<std::string> reversed; // words are taken from the back
+    std::transform(words.rbegin(), words.rend() - static_cast<std::ptrdiff_t>(named.words),
+                   std::back_inserter(reversed), shielded);
+    line->app.parse(std::move(reversed));
   } catch (const CLI::CallForHelp&) {
     return {std::nullopt, line->app.help()};
   } catch (const CLI::ParseError& e) {

@@ -37,4 +37,7 @@ Triangulation from_signature(std::string_view text);
 /// Whether the text is not empty and every letter is one that signatures use: a cheap test before reading.
 bool looks_like_signature(std::string_view text);
 
+/// Whether `from_signature` would read it. O(length).
+bool is_signature(std::string_view text);
+
 } // namespace tetrarch

@@ -8,6 +8,7 @@
 
 #include "tetrarch/core/triangulation.hpp"
 #include "tetrarch/format/json_value.hpp"
+#include "tetrarch/format/ledger.hpp"
 
 #include <array>
 #include <optional>
@@ -95,7 +96,8 @@ struct Document {
   /// The object as it was read, for its unknown members and their order; null if it was not read. The members
   /// known above are written from above, whatever stands here.
   JsonValue members;
-  /// What a reader dropped that changes the meaning, as sentences; writers ignore it.
+  /// What the read left out, and what else its reader had to say, as sentences; writers ignore both.
+  Ledger passed_over;
   std::vector<std::string> warnings;
 };
 

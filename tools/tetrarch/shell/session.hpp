@@ -11,6 +11,7 @@
 /// A session knows nothing of terminals: shell.cpp feeds it lines.
 
 #include "../job.hpp"
+#include "../mapping.hpp"
 #include "../value.hpp"
 
 #include <map>
@@ -59,7 +60,8 @@ private:
 
   Parts statement_of(std::string_view line) const;
   Status execute(const Parts& statement, const std::string& speaker);
-  void name_what_is_given(const Parts& statement);
+  Status execute(Mapping mapping, const Parts& statement, const std::string& speaker);
+  void name_what_is_given(const Parts& statement, const std::string& speaker);
   void assign(const std::string& name, ValuePointer value, const Parts& statement);
   bool is_verb(const std::string& word) const;
   bool changes_value(const Parts& statement) const;
