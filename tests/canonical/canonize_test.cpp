@@ -9,6 +9,7 @@
 #include <catch2/catch.hpp>
 #include <fstream>
 #include <random>
+#include <utility>
 
 using namespace tetrarch;
 using namespace tetrarch::canonical;
@@ -45,12 +46,7 @@ Decorated<double> decorated(const Triangulation& tri) {
   const Skeleton skeleton(tri);
   const auto structure = hyperbolic::hyperbolize(tri, skeleton);
   REQUIRE(structure.outcome == Outcome::geometric);
-  const auto types = hyperbolic::vertex_types(skeleton);
-  Decorated<double> m{tri, {}};
-  for (int t = 0; t < tri.size(); ++t)
-    m.gram.push_back(hyperbolic::gram_matrix(hyperbolic::lengths_at(skeleton, structure.lengths, t),
-                                             hyperbolic::types_at(skeleton, types, t)));
-  return m;
+  return decorate(tri, skeleton, structure.lengths);
 }
 
 // By isomorphism signature: the knotted Y and another manifold of two tetrahedra, one gluing of three (with a
@@ -133,6 +129,23 @@ TEST_CASE("the SnapPea kernel finds the same canonical triangulations of cusped 
     ++compared;
   }
   CHECK(compared == 124);
+}
+
+TEST_CASE("no canonical decomposition gets stuck at a coordinate that is zero or negative", "[canonical]") {
+  // Of each of these some concave face has an edge of valence 4 or 6 where neither a 3-2 nor a 4-4 move
+  // applies. The signatures are those of the SnapPea kernel (Regina 7.3, SnapPeaTriangulation.canonize). The
+  // last one has geodesic boundary, which SnapPea does not do: its witness is the convex hull, built without
+  // moves.
+  const std::pair<const char*, const char*> stuck[] = {
+      {"eLAkbbcddbulxn", "iLLwQPcbeefgehhhbbaaaahah"},      // m065
+      {"fLLQccceddehwhwww", "jLLwQLQbeefgehihihhaaaaaajj"}, // m084
+      {"fLAMcbbcdeebulhqn", "iLLwQPcbeefgehhhbbahhahah"},
+      {"fLAMcbccdeeeejlhw", "jLLPwAQccdfehgiiilknaaaaxxa"}};
+  for (const auto& [name, expected] : stuck) {
+    const Canonical c = canonized(name);
+    CHECK(c.isometry_signature == expected);
+    CHECK(c.restarts == 0);
+  }
 }
 
 TEST_CASE("cells that are no tetrahedra are found as Frigerio, Martelli and Petronio list them",
