@@ -2,11 +2,13 @@
 #include "tetrarch/canonical/canonize.hpp"
 
 #include "tetrarch/canonical/flips.hpp"
+#include "tetrarch/canonical/hull.hpp"
 #include "tetrarch/core/error.hpp"
 #include "tetrarch/core/signature.hpp"
 #include "tetrarch/hyperbolic/real50.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <random>
 #include <utility>
@@ -20,6 +22,9 @@ using hyperbolic::Real50;
 /// Below this a 60-digit tilt counts as zero: solutions are refined to 1e-45, conditioning takes a few
 /// digits.
 constexpr double high_precision_margin = 1e-30;
+/// Flips in so many random orders are tried where the hull is far to seek: half of those that got stuck come
+/// through.
+constexpr std::uint64_t random_orders = 40;
 
 /// A few random 2-3 moves, each followed by whatever 3-2 moves chance picks: another triangulation of the
 /// same manifold.
@@ -105,45 +110,76 @@ public:
   }
 
 private:
-  /// From one solved triangulation: in double precision, in high precision where that loses its way.
+  /// From one solved triangulation: by flips, or straight to the hull where they get stuck; in double
+  /// precision, in high precision where that loses its way.
   bool attempt(const Triangulation& tri, const Hyperbolization<double>& structure) {
     const Skeleton skeleton(tri);
-    Decorated<double> m = decorate(tri, skeleton, structure.lengths);
-    if (flip(m, options_.sign_margin) && settle(m)) return true;
+    if (attempt_with(decorate(tri, skeleton, structure.lengths), options_.sign_margin)) return true;
     const auto refined = hyperbolic::refine<Real50>(skeleton, structure, progress_);
-    Decorated<Real50> precise = decorate(tri, skeleton, refined.lengths);
-    return flip(precise, high_precision_margin) && settle(to_double(precise));
+    return attempt_with(decorate(tri, skeleton, refined.lengths), high_precision_margin);
   }
 
   template <class Scalar>
-  bool flip(Decorated<Scalar>& m, double margin) {
-    const Flips flips = flip_to_hull(m, {margin, options_.move_budget}, progress_);
+  bool attempt_with(const Decorated<Scalar>& m, double margin) {
+    out_.by_hull = false;
+    Decorated<Scalar> low =
+        m; // what flips lead to; where they get stuck it is near the hull, and its tiles wide
+    if (try_flips(low, margin, 0)) return true;
+    if (std::find(low.flat.begin(), low.flat.end(), true) != low.flat.end()) low = m;
+    HullOptions quick;
+    quick.margin = margin;
+    if (try_hull(low, quick)) return true;
+    for (std::uint64_t seed = 1; seed <= random_orders; ++seed) {
+      Decorated<Scalar> other = m;
+      if (try_flips(other, margin, seed)) return true;
+    }
+    return try_hull(low, patient_hull_options(margin));
+  }
+
+  template <class Scalar>
+  bool try_flips(Decorated<Scalar>& m, double margin, std::uint64_t seed) {
+    return flip(m, margin, seed) && settle(m.tri, solve_again(to_double(m)));
+  }
+
+  template <class Scalar>
+  bool try_hull(const Decorated<Scalar>& m, const HullOptions& how) {
+    const auto cells = direct_hull(m, how, progress_);
+    if (!cells) return false;
+    const std::optional<Triangulation> tri = subdivision(*cells);
+    if (!tri || !settle(*tri, hyperbolic::hyperbolize(*tri, Skeleton(*tri)))) return false;
+    return out_.by_hull = true;
+  }
+
+  template <class Scalar>
+  bool flip(Decorated<Scalar>& m, double margin, std::uint64_t seed) {
+    const Flips flips = flip_to_hull(m, {margin, options_.move_budget, seed}, progress_);
     out_.geometric_moves += flips.moves;
     return flips.end == Flips::End::convex;
   }
 
-  /// Solves again on what the moves led to, and believes its tilts alone. Where one is within the margin the
-  /// decision is made in high precision, with more moves if need be.
-  bool settle(const Decorated<double>& m) {
-    out_.triangulation = m.tri;
-    const Skeleton skeleton(m.tri);
-    const auto structure = solve_again(m, skeleton);
-    if (structure.outcome != hyperbolic::Outcome::geometric) return false;
-    const Faces rough = faces_of(decorate(m.tri, skeleton, structure.lengths), options_.sign_margin);
-    if (!rough.any_flat) return record(rough);
+  /// Believes the tilts of a structure that was solved anew, and these alone. Where one is within the margin
+  /// the decision is made in high precision, with more moves if need be.
+  bool settle(const Triangulation& tri, const Hyperbolization<double>& structure, int rounds_left = 3) {
+    if (structure.outcome != hyperbolic::Outcome::geometric || rounds_left == 0) return false;
+    const Skeleton skeleton(tri);
+    const Faces rough = faces_of(decorate(tri, skeleton, structure.lengths), options_.sign_margin);
+    if (!rough.any_flat) return record(tri, rough);
     const auto refined = hyperbolic::refine<Real50>(skeleton, structure, progress_);
-    Decorated<Real50> precise = decorate(m.tri, skeleton, refined.lengths);
+    Decorated<Real50> precise = decorate(tri, skeleton, refined.lengths);
     const Faces faces = faces_of(precise, high_precision_margin);
-    if (!faces.any_concave) return record(faces);
-    return flip(precise, high_precision_margin) && settle(to_double(precise));
+    if (!faces.any_concave) return record(tri, faces);
+    return flip(precise, high_precision_margin, 0) &&
+           settle(precise.tri, solve_again(to_double(precise)), rounds_left - 1);
   }
 
-  static Hyperbolization<double> solve_again(const Decorated<double>& m, const Skeleton& skeleton) {
-    const auto structure = hyperbolic::hyperbolize_from(edge_lengths(m, skeleton), skeleton);
+  static Hyperbolization<double> solve_again(const Decorated<double>& m) {
+    const Skeleton skeleton(m.tri);
+    auto structure = hyperbolic::hyperbolize_from(edge_lengths(m, skeleton), skeleton);
     if (structure.outcome == hyperbolic::Outcome::geometric) return structure;
     return hyperbolic::hyperbolize(m.tri, skeleton);
   }
 
+  static const Decorated<double>& to_double(const Decorated<double>& m) { return m; }
   static Decorated<double> to_double(const Decorated<Real50>& m) {
     Decorated<double> out{m.tri, {}, m.flat};
     for (const Gram<Real50>& w : m.gram) {
@@ -154,8 +190,9 @@ private:
     return out;
   }
 
-  bool record(const Faces& faces) {
+  bool record(const Triangulation& tri, const Faces& faces) {
     if (faces.any_concave) return false;
+    out_.triangulation = tri;
     out_.flat = faces.flat;
     out_.has_flat_faces = faces.any_flat;
     out_.smallest_tilt = faces.smallest_tilt;
@@ -180,20 +217,26 @@ std::vector<Isomorphism> isometry_group(const Canonical& canonical) {
   return automorphisms(canonical.canonical_triangulation);
 }
 
+const char* to_string(IsometryAnswer::Proof proof) {
+  constexpr std::array<const char*, 4> names{"none", "isomorphism", "boundary", "cells"};
+  return names[static_cast<std::size_t>(proof)];
+}
+
 IsometryAnswer compare(const Canonical& a, const Canonical& b) {
+  using Proof = IsometryAnswer::Proof;
   using Verdict = IsometryAnswer::Verdict;
-  for (const Canonical* m : {&a, &b}) {
+  for (const Canonical* m : {&a, &b})
     if (m->outcome != Canonical::Outcome::canonical)
-      return {Verdict::undecided, "no canonical decomposition was found within the budget", {}};
-    if (m->has_flat_faces)
-      return {Verdict::undecided,
-              "a face of the canonical decomposition is flat to 30 digits, which is not a proof",
-              {}};
-  }
-  auto isometry = find_isomorphism(a.canonical_triangulation, b.canonical_triangulation);
-  if (isometry)
-    return {Verdict::isometric, "the canonical triangulations are isomorphic", *std::move(isometry)};
-  return {Verdict::not_isometric, "the canonical triangulations differ", {}};
+      return {Verdict::undecided, Proof::none, "no canonical decomposition was found within the budget", {}};
+  if (auto isometry = find_isomorphism(a.canonical_triangulation, b.canonical_triangulation))
+    return {Verdict::isometric, Proof::isomorphism, "the canonical triangulations are isomorphic",
+            *std::move(isometry)};
+  if (a.has_flat_faces || b.has_flat_faces)
+    return {Verdict::undecided,
+            Proof::none,
+            "the canonical decompositions differ, but a face is flat to 30 digits, which is not a proof",
+            {}};
+  return {Verdict::not_isometric, Proof::cells, "the canonical triangulations differ", {}};
 }
 
 } // namespace tetrarch::canonical

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "tetrarch/canonical/flips.hpp"
 
+#include "tetrarch/core/random.hpp"
 #include "tetrarch/hyperbolic/real50.hpp"
 
 #include <algorithm>
@@ -39,13 +40,15 @@ struct Flip {
 template <class Scalar>
 class Flipper {
 public:
-  Flipper(Decorated<Scalar>& m, const FlipOptions& options) : m_(m), options_(options) {}
+  Flipper(Decorated<Scalar>& m, const FlipOptions& options)
+      : m_(m), options_(options), random_(options.seed) {}
 
   Flips run(const Progress& progress) {
     Flips flips;
     while (true) {
       progress.step("canonical decomposition");
-      const std::vector<Concave<Scalar>> concave = concave_faces();
+      std::vector<Concave<Scalar>> concave = concave_faces();
+      if (options_.seed != 0) shuffle(concave);
       if (concave.empty()) {
         flips.end = std::find(m_.flat.begin(), m_.flat.end(), true) == m_.flat.end() ? Flips::End::convex
                                                                                      : Flips::End::stuck;
@@ -82,8 +85,14 @@ private:
         found.push_back({{t, f}, std::move(across), drop});
       }
     }
-    std::stable_sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.drop < b.drop; });
+    std::stable_sort(found.begin(), found.end(),
+                     [](const auto& a, const auto& b) { return a.drop < b.drop; });
     return found;
+  }
+
+  void shuffle(std::vector<Concave<Scalar>>& faces) {
+    for (int k = static_cast<int>(faces.size()) - 1; k > 0; --k)
+      std::swap(faces[k], faces[random_.below(k + 1)]);
   }
 
   std::pair<std::size_t, std::optional<Flip<Scalar>>>
@@ -114,7 +123,8 @@ private:
     return Flip<Scalar>{std::get<moves::Ball>(std::move(ball)), 0, 0, Scalar(0), {}};
   }
 
-  std::optional<Flip<Scalar>> two_three(const Concave<Scalar>& concave, const std::array<int, 3>& sign) const {
+  std::optional<Flip<Scalar>> two_three(const Concave<Scalar>& concave,
+                                        const std::array<int, 3>& sign) const {
     if (m_.is_flat(m_.tri.gluing(concave.face).tet)) return std::nullopt;
     auto ball = moves::two_three_ball(m_.tri, concave.face);
     if (!std::holds_alternative<moves::Ball>(ball)) return std::nullopt;
@@ -145,6 +155,7 @@ private:
 
   Decorated<Scalar>& m_;
   FlipOptions options_;
+  SplitMix64 random_;
 };
 
 } // namespace
