@@ -11,6 +11,7 @@
 #include "tetrarch/canonical/hull.hpp"
 
 #include <array>
+#include <cmath>
 #include <functional>
 #include <optional>
 #include <vector>

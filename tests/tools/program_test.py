@@ -130,6 +130,14 @@ class Canonize(unittest.TestCase):
         self.assertEqual((status, answer["isometric"], answer["proof"]), (0, True, "isomorphism"))
         self.assertEqual(answer["between"], "canonical triangulations")
 
+    def test_canonize_attempts(self):
+        # A minimal triangulation of the cusped census without a structure of its own: one attempt is too few. The
+        # canonical signature is SnapPea's (Regina 7.3).
+        status, answer = run_json("canonize", "gLLAQaedefffjxdhwnw", "--attempts", "1")
+        self.assertEqual((status, answer["outcome"]), (4, "not found"))
+        status, answer = run_json("canonize", "gLLAQaedefffjxdhwnw")
+        self.assertEqual((status, answer["isometry_signature"]), (0, "gLLAQbcedefftoaotsw"))
+
     def test_isometric_to_itself_in_another_triangulation(self):
         status, answer = run_json("isometric", "fmp3_17", "fmp3_17")
         self.assertEqual((status, answer["isometric"]), (0, True))

@@ -252,11 +252,15 @@ Result isometric(const std::string& x, const std::string& y, const Context& cont
 Run declare_canonize(CLI::App& app) {
   const auto input = std::make_shared<std::string>();
   const auto output = std::make_shared<std::string>();
+  const auto attempts = std::make_shared<int>(hyperbolic::SearchOptions{}.attempts);
   app.add_option("X", *input, "a triangulation that carries a structure")->required();
   app.add_option("-o,--output", *output, "the canonical triangulation with its cells, as JSON")
       ->type_name("FILE");
-  return [input, output](const Context& context) {
-    return canonize(*input, *output, hyperbolic::SearchOptions{}.attempts, context);
+  app.add_option("--attempts", *attempts, "on how many triangulations to seek a structure and its cells")
+      ->check(CLI::Range(1, 10'000'000))
+      ->capture_default_str();
+  return [input, output, attempts](const Context& context) {
+    return canonize(*input, *output, *attempts, context);
   };
 }
 
