@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "tetrarch/canonical/canonize.hpp"
 
-#include "tetrarch/canonical/decorated.hpp"
+#include "tetrarch/canonical/flips.hpp"
+#include "tetrarch/canonical/hull.hpp"
 #include "tetrarch/core/error.hpp"
 #include "tetrarch/core/signature.hpp"
 #include "tetrarch/hyperbolic/real50.hpp"
 
-#include <optional>
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <random>
 #include <utility>
 
@@ -19,121 +22,9 @@ using hyperbolic::Real50;
 /// Below this a 60-digit tilt counts as zero: solutions are refined to 1e-45, conditioning takes a few
 /// digits.
 constexpr double high_precision_margin = 1e-30;
-
-/// The sign of x where |x| exceeds the margin, else 0.
-template <class Scalar>
-int sign_beyond(const Scalar& x, double margin) {
-  return x > margin ? 1 : x < -margin ? -1 : 0;
-}
-
-template <class Scalar>
-Decorated<Scalar> decorate(const Triangulation& tri, const Hyperbolization<Scalar>& structure) {
-  const Skeleton skeleton(tri);
-  const auto types = hyperbolic::vertex_types(skeleton);
-  Decorated<Scalar> m{tri, {}};
-  std::vector<int> vertex;
-  for (int t = 0; t < tri.size(); ++t) {
-    m.gram.push_back(hyperbolic::gram_matrix(hyperbolic::lengths_at(skeleton, structure.lengths, t),
-                                             hyperbolic::types_at(skeleton, types, t)));
-    for (int v = 0; v < 4; ++v) vertex.push_back(skeleton.vertex({t, v}).value);
-  }
-  set_cusp_areas(m, vertex, skeleton.vertex_count(), Scalar(cusp_area));
-  return m;
-}
-
-/// The structure in 60 digits, solved on this triangulation from the start.
-std::optional<Hyperbolization<Real50>> solve_precisely(const Triangulation& tri) {
-  const Skeleton skeleton(tri);
-  const auto structure = hyperbolic::hyperbolize(tri, skeleton);
-  if (structure.outcome != hyperbolic::Outcome::geometric) return std::nullopt;
-  return hyperbolic::refine<Real50>(skeleton, structure);
-}
-
-/// Which geometric move mends a concave face, with the corners and the inner product of the edge that it
-/// makes.
-template <class Scalar>
-struct Mend {
-  moves::Ball ball;
-  int p = 0;
-  int q = 0;
-  Scalar product{0};
-};
-
-/// The move for the concave face f, if there is one. `doubtful` is set where a sign that matters is within
-/// the margin.
-template <class Scalar>
-std::optional<Mend<Scalar>> mend(const Decorated<Scalar>& m, TetFace f, const Across<Scalar>& across,
-                                 double margin, bool& doubtful) {
-  int negative = 0;
-  int zero = 0;
-  int odd_one = -1;
-  for (const int k : face_vertex[f.face]) {
-    const int s = sign_beyond(across.a[k], margin);
-    if (s > 0) continue;
-    odd_one = k;
-    (s < 0 ? negative : zero) += 1;
-  }
-  if (negative + zero == 0) {
-    auto ball = moves::two_three_ball(m.tri, f);
-    if (!std::holds_alternative<moves::Ball>(ball)) return std::nullopt;
-    return Mend<Scalar>{std::get<moves::Ball>(std::move(ball)), 3, 4, product_across(m, f, across)};
-  }
-  if (negative + zero > 1) return std::nullopt;
-  // The far vertex is seen past the edge of the face that lies opposite the odd one.
-  std::array<int, 2> ends{};
-  int count = 0;
-  for (const int v : face_vertex[f.face])
-    if (v != odd_one) ends[count++] = v;
-  const DirectedTetEdge edge{f.tet, ends[0], ends[1]};
-  if (negative == 1) {
-    auto ball = moves::three_two_ball(m.tri, edge);
-    if (!std::holds_alternative<moves::Ball>(ball)) return std::nullopt;
-    return Mend<Scalar>{std::get<moves::Ball>(std::move(ball)), 0, 0, Scalar(0)};
-  }
-  doubtful = true; // the coordinate is zero, as far as can be seen
-  auto ball = moves::four_four_ball(m.tri, edge, 0);
-  if (!std::holds_alternative<moves::Ball>(ball)) return std::nullopt;
-  const int corner = std::get<moves::Ball>(ball).before[0].corners[f.face];
-  if (corner % 2 == 1) ball = moves::four_four_ball(m.tri, edge, 1);
-  return Mend<Scalar>{std::get<moves::Ball>(std::move(ball)), corner, (corner + 2) % 4,
-                      product_across(m, f, across)};
-}
-
-struct Walked {
-  bool done = false;     ///< no concave face is left
-  bool doubtful = false; ///< a sign within the margin played a part
-};
-
-/// Mends concave faces until none is left, none can be mended, or the budget is spent.
-template <class Scalar>
-Walked mend_all(Decorated<Scalar>& m, double margin, int& budget, const Progress& progress) {
-  Walked walked;
-  bool doubtful_move = false;
-  while (true) {
-    progress.step("canonical decomposition");
-    walked.doubtful = doubtful_move;
-    bool concave = false;
-    std::optional<Mend<Scalar>> next;
-    for (int t = 0; t < m.tri.size() && !next; ++t) {
-      for (int f = 0; f < 4 && !next; ++f) {
-        const Gluing g = m.tri.gluing({t, f});
-        if (g.tet < t || (g.tet == t && g.perm[f] < f)) continue; // each face once
-        const Across<Scalar> across = look_across(m, {t, f});
-        const int sign = sign_beyond(across.tilt, margin);
-        walked.doubtful |= sign == 0;
-        if (sign >= 0 || g.tet == t) continue;
-        concave = true;
-        next = mend(m, {t, f}, across, margin, doubtful_move);
-      }
-    }
-    if (!next) {
-      walked.done = !concave;
-      return walked;
-    }
-    if (budget-- <= 0) return walked;
-    m = move(m, next->ball, next->p, next->q, next->product);
-  }
-}
+/// Flips in so many random orders are tried where the hull is far to seek: half of those that got stuck come
+/// through.
+constexpr std::uint64_t random_orders = 40;
 
 /// A few random 2-3 moves, each followed by whatever 3-2 moves chance picks: another triangulation of the
 /// same manifold.
@@ -154,20 +45,29 @@ Triangulation shaken(Triangulation tri, std::mt19937_64& random) {
   return tri;
 }
 
-/// Reads tilts off the finished decomposition: flat faces and the smallest tilt that is none.
+/// What the tilts of a solved triangulation say of its faces.
+struct Faces {
+  FlatFaces flat;
+  bool any_flat = false;
+  bool any_concave = false;
+  double smallest_tilt = 1e300; ///< of those that are not flat
+};
+
 template <class Scalar>
-void record_faces(const Decorated<Scalar>& m, double margin, Canonical& out) {
-  out.flat.assign(static_cast<std::size_t>(m.tri.size()), {});
-  out.smallest_tilt = 1e300;
-  for (int t = 0; t < m.tri.size(); ++t) {
+Faces faces_of(const Decorated<Scalar>& m, double margin) {
+  Faces faces;
+  faces.flat.assign(static_cast<std::size_t>(m.tri.size()), {});
+  for (int t = 0; t < m.tri.size(); ++t)
     for (int f = 0; f < 4; ++f) {
-      using std::abs;
-      const Scalar tilt = look_across(m, {t, f}).tilt;
-      out.flat[t][f] = sign_beyond(tilt, margin) == 0;
-      out.has_flat_faces |= out.flat[t][f];
-      if (!out.flat[t][f]) out.smallest_tilt = std::min(out.smallest_tilt, static_cast<double>(abs(tilt)));
+      const auto tilt = static_cast<double>(look_across(m, {t, f}).tilt);
+      const bool flat = std::abs(tilt) <= margin;
+      faces.flat[t][f] = flat;
+      faces.any_flat |= flat;
+      if (flat) continue;
+      faces.any_concave |= tilt < 0;
+      faces.smallest_tilt = std::min(faces.smallest_tilt, std::abs(tilt));
     }
-  }
+  return faces;
 }
 
 /// Cells, canonical triangulation and signature of a finished decomposition.
@@ -183,27 +83,126 @@ void name_cells(Canonical& out) {
   out.isometry_signature = signature(out.canonical_triangulation);
 }
 
-/// One attempt from one solved triangulation: in double precision, and in high precision where a sign is in
-/// doubt.
-bool attempt(const Triangulation& tri, const Hyperbolization<double>& structure,
-             const CanonizeOptions& options, const Progress& progress, Canonical& out) {
-  Decorated<double> m = decorate(tri, structure);
-  int budget = options.move_budget;
-  Walked walked = mend_all(m, options.sign_margin, budget, progress);
-  out.triangulation = m.tri;
-  if (!walked.doubtful) {
-    if (walked.done) record_faces(m, options.sign_margin, out);
-  } else if (const auto solved = solve_precisely(m.tri)) {
-    Decorated<Real50> precise = decorate(m.tri, *solved);
-    walked = mend_all(precise, high_precision_margin, budget, progress);
-    out.triangulation = precise.tri;
-    if (walked.done) record_faces(precise, high_precision_margin, out);
-  } else {
-    walked.done = false;
+class Canonizer {
+public:
+  Canonizer(const CanonizeOptions& options, const Progress& progress)
+      : options_(options), progress_(progress) {}
+
+  Canonical run(const Triangulation& tri, const Hyperbolization<double>& structure) {
+    bool done = attempt(tri, structure);
+    std::mt19937_64 random(options_.seed);
+    Triangulation last = tri; // the walk goes on from the last geometric one that has not grown much
+    const int largest = tri.size() + 8;
+    while (!done && out_.restarts < options_.restarts) {
+      ++out_.restarts;
+      progress_.step("changing the triangulation");
+      Triangulation other = shaken(last, random);
+      const auto solved = hyperbolic::hyperbolize(other, Skeleton(other));
+      if (solved.outcome != hyperbolic::Outcome::geometric) continue;
+      done = attempt(other, solved);
+      if (other.size() <= largest) last = std::move(other);
+    }
+    if (done) {
+      out_.outcome = Canonical::Outcome::canonical;
+      name_cells(out_);
+    }
+    return std::move(out_);
   }
-  out.geometric_moves += options.move_budget - budget;
-  return walked.done;
-}
+
+private:
+  /// From one solved triangulation: by flips, or straight to the hull where they get stuck; in double
+  /// precision, in high precision where that loses its way.
+  bool attempt(const Triangulation& tri, const Hyperbolization<double>& structure) {
+    const Skeleton skeleton(tri);
+    if (attempt_with(decorate(tri, skeleton, structure.lengths), options_.sign_margin)) return true;
+    const auto refined = hyperbolic::refine<Real50>(skeleton, structure, progress_);
+    return attempt_with(decorate(tri, skeleton, refined.lengths), high_precision_margin);
+  }
+
+  template <class Scalar>
+  bool attempt_with(const Decorated<Scalar>& m, double margin) {
+    out_.by_hull = false;
+    Decorated<Scalar> low =
+        m; // what flips lead to; where they get stuck it is near the hull, and its tiles wide
+    if (try_flips(low, margin, 0)) return true;
+    if (std::find(low.flat.begin(), low.flat.end(), true) != low.flat.end()) low = m;
+    HullOptions quick;
+    quick.margin = margin;
+    if (try_hull(low, quick)) return true;
+    for (std::uint64_t seed = 1; seed <= random_orders; ++seed) {
+      Decorated<Scalar> other = m;
+      if (try_flips(other, margin, seed)) return true;
+    }
+    return try_hull(low, patient_hull_options(margin));
+  }
+
+  template <class Scalar>
+  bool try_flips(Decorated<Scalar>& m, double margin, std::uint64_t seed) {
+    return flip(m, margin, seed) && settle(m.tri, solve_again(to_double(m)));
+  }
+
+  template <class Scalar>
+  bool try_hull(const Decorated<Scalar>& m, const HullOptions& how) {
+    const auto cells = direct_hull(m, how, progress_);
+    if (!cells) return false;
+    const std::optional<Triangulation> tri = subdivision(*cells);
+    if (!tri || !settle(*tri, hyperbolic::hyperbolize(*tri, Skeleton(*tri)))) return false;
+    return out_.by_hull = true;
+  }
+
+  template <class Scalar>
+  bool flip(Decorated<Scalar>& m, double margin, std::uint64_t seed) {
+    const Flips flips = flip_to_hull(m, {margin, options_.move_budget, seed}, progress_);
+    out_.geometric_moves += flips.moves;
+    return flips.end == Flips::End::convex;
+  }
+
+  /// Believes the tilts of a structure that was solved anew, and these alone. Where one is within the margin
+  /// the decision is made in high precision, with more moves if need be.
+  bool settle(const Triangulation& tri, const Hyperbolization<double>& structure, int rounds_left = 3) {
+    if (structure.outcome != hyperbolic::Outcome::geometric || rounds_left == 0) return false;
+    const Skeleton skeleton(tri);
+    const Faces rough = faces_of(decorate(tri, skeleton, structure.lengths), options_.sign_margin);
+    if (!rough.any_flat) return record(tri, rough);
+    const auto refined = hyperbolic::refine<Real50>(skeleton, structure, progress_);
+    Decorated<Real50> precise = decorate(tri, skeleton, refined.lengths);
+    const Faces faces = faces_of(precise, high_precision_margin);
+    if (!faces.any_concave) return record(tri, faces);
+    return flip(precise, high_precision_margin, 0) &&
+           settle(precise.tri, solve_again(to_double(precise)), rounds_left - 1);
+  }
+
+  static Hyperbolization<double> solve_again(const Decorated<double>& m) {
+    const Skeleton skeleton(m.tri);
+    auto structure = hyperbolic::hyperbolize_from(edge_lengths(m, skeleton), skeleton);
+    if (structure.outcome == hyperbolic::Outcome::geometric) return structure;
+    return hyperbolic::hyperbolize(m.tri, skeleton);
+  }
+
+  static const Decorated<double>& to_double(const Decorated<double>& m) { return m; }
+  static Decorated<double> to_double(const Decorated<Real50>& m) {
+    Decorated<double> out{m.tri, {}, m.flat};
+    for (const Gram<Real50>& w : m.gram) {
+      out.gram.emplace_back();
+      for (int i = 0; i < 4; ++i)
+        for (int j = 0; j < 4; ++j) out.gram.back()[i][j] = static_cast<double>(w[i][j]);
+    }
+    return out;
+  }
+
+  bool record(const Triangulation& tri, const Faces& faces) {
+    if (faces.any_concave) return false;
+    out_.triangulation = tri;
+    out_.flat = faces.flat;
+    out_.has_flat_faces = faces.any_flat;
+    out_.smallest_tilt = faces.smallest_tilt;
+    return true;
+  }
+
+  CanonizeOptions options_;
+  const Progress& progress_;
+  Canonical out_;
+};
 
 } // namespace
 
@@ -211,44 +210,33 @@ Canonical canonize(const Triangulation& tri, const Hyperbolization<double>& stru
                    const CanonizeOptions& options, const Progress& progress) {
   if (structure.outcome != hyperbolic::Outcome::geometric)
     throw PreconditionError("only a solved structure has a canonical decomposition");
-  Canonical out;
-  bool done = attempt(tri, structure, options, progress, out);
-  std::mt19937_64 random(options.seed);
-  Triangulation last = tri; // the walk goes on from the last geometric triangulation that has not grown much
-  const int largest = tri.size() + 8;
-  while (!done && out.restarts < options.restarts) {
-    ++out.restarts;
-    progress.step("changing the triangulation");
-    Triangulation other = shaken(last, random);
-    const auto solved = hyperbolic::hyperbolize(other, Skeleton(other));
-    if (solved.outcome != hyperbolic::Outcome::geometric) continue;
-    done = attempt(other, solved, options, progress, out);
-    if (other.size() <= largest) last = std::move(other);
-  }
-  if (!done) return out;
-  out.outcome = Canonical::Outcome::canonical;
-  name_cells(out);
-  return out;
+  return Canonizer(options, progress).run(tri, structure);
 }
 
 std::vector<Isomorphism> isometry_group(const Canonical& canonical) {
   return automorphisms(canonical.canonical_triangulation);
 }
 
+const char* to_string(IsometryAnswer::Proof proof) {
+  constexpr std::array<const char*, 4> names{"none", "isomorphism", "boundary", "cells"};
+  return names[static_cast<std::size_t>(proof)];
+}
+
 IsometryAnswer compare(const Canonical& a, const Canonical& b) {
+  using Proof = IsometryAnswer::Proof;
   using Verdict = IsometryAnswer::Verdict;
-  for (const Canonical* m : {&a, &b}) {
+  for (const Canonical* m : {&a, &b})
     if (m->outcome != Canonical::Outcome::canonical)
-      return {Verdict::undecided, "no canonical decomposition was found within the budget", {}};
-    if (m->has_flat_faces)
-      return {Verdict::undecided,
-              "a face of the canonical decomposition is flat to 30 digits, which is not a proof",
-              {}};
-  }
-  auto isometry = find_isomorphism(a.canonical_triangulation, b.canonical_triangulation);
-  if (isometry)
-    return {Verdict::isometric, "the canonical triangulations are isomorphic", *std::move(isometry)};
-  return {Verdict::not_isometric, "the canonical triangulations differ", {}};
+      return {Verdict::undecided, Proof::none, "no canonical decomposition was found within the budget", {}};
+  if (auto isometry = find_isomorphism(a.canonical_triangulation, b.canonical_triangulation))
+    return {Verdict::isometric, Proof::isomorphism, "the canonical triangulations are isomorphic",
+            *std::move(isometry)};
+  if (a.has_flat_faces || b.has_flat_faces)
+    return {Verdict::undecided,
+            Proof::none,
+            "the canonical decompositions differ, but a face is flat to 30 digits, which is not a proof",
+            {}};
+  return {Verdict::not_isometric, Proof::cells, "the canonical triangulations differ", {}};
 }
 
 } // namespace tetrarch::canonical

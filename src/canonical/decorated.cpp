@@ -3,8 +3,9 @@
 
 #include "tetrarch/hyperbolic/real50.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
-#include <map>
 #include <utility>
 
 namespace tetrarch::canonical {
@@ -44,7 +45,45 @@ Vector3<Scalar> apply(const Matrix3<Scalar>& m, const Vector3<Scalar>& x) {
   return {dot<Scalar>(m[0], x), dot<Scalar>(m[1], x), dot<Scalar>(m[2], x)};
 }
 
+/// Vertex classes by t-vertex (4 t + v).
+std::vector<int> vertex_numbers(const Skeleton& skeleton) {
+  std::vector<int> vertex;
+  vertex.reserve(4 * static_cast<std::size_t>(skeleton.tetrahedron_count()));
+  for (int t = 0; t < skeleton.tetrahedron_count(); ++t)
+    for (int v = 0; v < 4; ++v) vertex.push_back(skeleton.vertex({t, v}).value);
+  return vertex;
+}
+
 } // namespace
+
+template <class Scalar>
+Decorated<Scalar> decorate(const Triangulation& tri, const Skeleton& skeleton,
+                           const hyperbolic::Metric<Scalar>& lengths) {
+  skeleton.require_current(tri);
+  const auto types = hyperbolic::vertex_types(skeleton);
+  Decorated<Scalar> m{tri, {}, std::vector<bool>(static_cast<std::size_t>(tri.size()), false)};
+  m.gram.reserve(static_cast<std::size_t>(tri.size()));
+  for (int t = 0; t < tri.size(); ++t)
+    m.gram.push_back(hyperbolic::gram_matrix(hyperbolic::lengths_at(skeleton, lengths, t),
+                                             hyperbolic::types_at(skeleton, types, t)));
+  set_cusp_areas(m, vertex_numbers(skeleton), skeleton.vertex_count(), Scalar(cusp_area));
+  return m;
+}
+
+hyperbolic::Metric<double> edge_lengths(Decorated<double> m, const Skeleton& skeleton) {
+  skeleton.require_current(m.tri);
+  // A regular ideal tetrahedron with lengths 0 has cross-sections of area sqrt(3) / 4, and four of them.
+  const double area = std::sqrt(3.0) * m.tri.size() / skeleton.vertex_count();
+  set_cusp_areas(m, vertex_numbers(skeleton), skeleton.vertex_count(), area);
+  const auto types = hyperbolic::vertex_types(skeleton);
+  hyperbolic::Metric<double> lengths(skeleton.edge_count());
+  for (const EdgeId e : all<EdgeId>(skeleton.edge_count())) {
+    const Walk& w = skeleton.around(e).front();
+    const auto [p, q] = skeleton.ends(e);
+    lengths[e] = hyperbolic::signed_length(types[p], types[q], m.gram[w.tet][w.from()][w.to()]);
+  }
+  return lengths;
+}
 
 template <class Scalar>
 Across<Scalar> look_across(const Decorated<Scalar>& m, TetFace f) {
@@ -65,10 +104,13 @@ Across<Scalar> look_across(const Decorated<Scalar>& m, TetFace f) {
   // Off the plane of the face both far vertices have a component; the squares of these fix a[f.face] up to
   // its sign.
   const Matrix3<Scalar> s_inverse = inverse<Scalar>(s);
-  const Scalar off_there = there[far][far] - dot<Scalar>(b, apply<Scalar>(s_inverse, b));
-  const Scalar off_here = here[f.face][f.face] - dot<Scalar>(c, apply<Scalar>(s_inverse, c));
   Across<Scalar> out;
-  const Scalar af = -sqrt(Scalar(off_there / off_here));
+  Scalar af(0);
+  if (!m.is_flat(g.tet)) { // the root would make 1e-8 of a flat one's 1e-16
+    const Scalar off_there = there[far][far] - dot<Scalar>(b, apply<Scalar>(s_inverse, b));
+    const Scalar off_here = here[f.face][f.face] - dot<Scalar>(c, apply<Scalar>(s_inverse, c));
+    af = -sqrt(Scalar(off_there / off_here));
+  }
   const Vector3<Scalar> as = apply<Scalar>(s_inverse, {b[0] - c[0] * af, b[1] - c[1] * af, b[2] - c[2] * af});
   out.a[f.face] = af;
   out.tilt = af - 1;
@@ -87,22 +129,36 @@ Scalar product_across(const Decorated<Scalar>& m, TetFace f, const Across<Scalar
 }
 
 template <class Scalar>
+Scalar cone_volume(const Decorated<Scalar>& m, int tet) {
+  using std::sqrt;
+  if (m.is_flat(tet)) return Scalar(0);
+  const Scalar square = -hyperbolic::determinant(m.gram[tet]);
+  return square > 0 ? Scalar(sqrt(square)) : Scalar(0);
+}
+
+template <class Scalar>
 Decorated<Scalar> move(const Decorated<Scalar>& m, const moves::Ball& ball, int p, int q,
                        const Scalar& product) {
-  std::map<std::pair<int, int>, Scalar> known;
+  constexpr int most_corners = 6;
+  std::array<std::array<Scalar, most_corners>, most_corners> known{};
   for (const moves::Placed& placed : ball.before)
     for (int i = 0; i < 4; ++i)
-      for (int j = 0; j < 4; ++j) known[{placed.corners[i], placed.corners[j]}] = m.gram[placed.tet][i][j];
-  if (p != q) known[{p, q}] = known[{q, p}] = product;
+      for (int j = 0; j < 4; ++j) known[placed.corners[i]][placed.corners[j]] = m.gram[placed.tet][i][j];
+  if (p != q) known[p][q] = known[q][p] = product;
   moves::Replaced replaced = moves::replace(m.tri, ball);
-  Decorated<Scalar> out{std::move(replaced.tri), {}};
+  Decorated<Scalar> out{std::move(replaced.tri), {}, {}};
   out.gram.resize(static_cast<std::size_t>(out.tri.size()));
-  for (std::size_t t = 0; t < m.gram.size(); ++t)
-    if (replaced.image[t] >= 0) out.gram[replaced.image[t]] = m.gram[t];
+  out.flat.assign(static_cast<std::size_t>(out.tri.size()), false);
+  for (std::size_t t = 0; t < m.gram.size(); ++t) {
+    const int image = replaced.image[t];
+    if (image < 0) continue;
+    out.gram[image] = m.gram[t];
+    out.flat[image] = m.is_flat(static_cast<int>(t));
+  }
   for (std::size_t k = 0; k < ball.after.size(); ++k)
     for (int i = 0; i < 4; ++i)
       for (int j = 0; j < 4; ++j)
-        out.gram[replaced.first_new + k][i][j] = known.at({ball.after[k][i], ball.after[k][j]});
+        out.gram[replaced.first_new + k][i][j] = known[ball.after[k][i]][ball.after[k][j]];
   return out;
 }
 
@@ -135,6 +191,9 @@ void set_cusp_areas(Decorated<Scalar>& m, const std::vector<int>& vertex, int ve
 }
 
 #define TETRARCH_DECORATED(Scalar)                                                                           \
+  template Decorated<Scalar> decorate(const Triangulation&, const Skeleton&,                                 \
+                                      const hyperbolic::Metric<Scalar>&);                                    \
+  template Scalar cone_volume(const Decorated<Scalar>&, int);                                                \
   template Across<Scalar> look_across(const Decorated<Scalar>&, TetFace);                                    \
   template Scalar product_across(const Decorated<Scalar>&, TetFace, const Across<Scalar>&);                  \
   template Decorated<Scalar> move(const Decorated<Scalar>&, const moves::Ball&, int, int, const Scalar&);    \

@@ -108,6 +108,38 @@ class Hyperbolize(unittest.TestCase):
 
 
 class Canonize(unittest.TestCase):
+    def test_boundary_spheres_count(self):
+        # The first is the second with a ball taken out (Regina: boundary components of Euler characteristic -2,
+        # ideal, and 2, of two faces).
+        status, answer = run_json("isometric", "hHvOwQaceegggbbbbgfw", "cPcbbbihq")
+        self.assertEqual((status, answer["isometric"], answer["proof"]), (1, False, "boundary"))
+        self.assertIn("sphere", answer["reason"])
+        status, answer = run_json("isometric", "hHvOwQaceegggbbbbgfw", "hHvOwQaceegggbbbbgfw")
+        self.assertEqual((status, answer["isometric"], answer["filled_spheres"]), (0, True, 1))
+        status, answer = run_json("canonize", "hHvOwQaceegggbbbbgfw")
+        self.assertEqual((status, answer["filled_spheres"]), (0, 1))
+        self.assertEqual(answer["isometry_signature"], "cPcbbbihq")
+        self.assertIn("filled spheres", run("canonize", "hHvOwQaceegggbbbbgfw").stdout)
+        self.assertEqual(run_json("canonize", "cPcbbbihq")[1]["filled_spheres"], 0)
+        self.assertNotIn("filled", run("canonize", "cPcbbbihq").stdout)
+
+    def test_isometric_where_a_face_is_flat(self):
+        # An octahedron (FMP 2004, section 4); the second triangulation is a 2-3 move away (Regina's).
+        status, answer = run_json("isometric", "eLAkbccddemoen", "eLAkbccddemoen")
+        self.assertEqual((status, answer["isometric"], answer["proof"]), (0, True, "isomorphism"))
+        self.assertEqual(answer["between"], "triangulations given")
+        status, answer = run_json("isometric", "eLAkbccddemoen", "fLLQcacdeeenkxigw")
+        self.assertEqual((status, answer["isometric"], answer["proof"]), (0, True, "isomorphism"))
+        self.assertEqual(answer["between"], "canonical triangulations")
+
+    def test_canonize_attempts(self):
+        # A minimal triangulation of the cusped census without a structure of its own: one attempt is too few. The
+        # canonical signature is SnapPea's (Regina 7.3).
+        status, answer = run_json("canonize", "gLLAQaedefffjxdhwnw", "--attempts", "1")
+        self.assertEqual((status, answer["outcome"]), (4, "not found"))
+        status, answer = run_json("canonize", "gLLAQaedefffjxdhwnw")
+        self.assertEqual((status, answer["isometry_signature"]), (0, "gLLAQbcedefftoaotsw"))
+
     def test_isometric_to_itself_in_another_triangulation(self):
         status, answer = run_json("isometric", "fmp3_17", "fmp3_17")
         self.assertEqual((status, answer["isometric"]), (0, True))

@@ -66,7 +66,7 @@ std::optional<FileElement> file_element(const std::string& argument) {
 }
 
 format::Collection read_collection(const std::string& path) {
-  return format::read_all(format::read_file(path), format::source_name(path));
+  return format::read_all(format::read_file(located(path)), format::source_name(path));
 }
 
 format::Document chosen(format::Collection collection, const std::string& element,

@@ -4,17 +4,20 @@
 /// The canonical (Epstein-Penner-Kojima) decomposition of a hyperbolic manifold with geodesic boundary and
 /// cusps.
 ///
-/// Faces are asked for convexity (decorated.hpp). While one is concave, a 2-3, 3-2 or 4-4 move mends it;
-/// inner products ride along. If no move applies, a few random topological moves change the triangulation,
-/// the structure is solved on it, and the work begins again. Faces that are flat belong to cells that are no
-/// tetrahedra. Every cusp gets a cross-section of area `cusp_area`: with geodesic boundary present the cells
-/// depend on it, so it is part of the definition of the isometry signature.
+/// Faces are asked for convexity (decorated.hpp). While one is concave, a 2-3 or 3-2 move mends it, through
+/// flat tetrahedra where need be (flips.hpp); inner products ride along. If no move applies, the cells are
+/// built directly (hull.hpp). If that fails, too, a few random topological moves change the triangulation,
+/// the structure is solved on it, and the work begins again. The triangulation that comes out is solved
+/// again, and its tilts alone are believed. Faces that are flat belong to cells that are no tetrahedra. Every
+/// cusp gets a cross-section of area `cusp_area`: with geodesic boundary present the cells depend on it, so
+/// it is part of the definition of the isometry signature.
 ///
 /// Signs: in double precision a tilt within `sign_margin` of 0 is not believed. Then everything is decided
 /// again in 60-digit arithmetic with the margin 1e-30; what still lies within it counts as flat, *confirmed
 /// but not certified*. Source: Kojima 1990; Frigerio-Petronio 2004; Weeks 1993 for the moves.
 
 #include "tetrarch/canonical/cells.hpp"
+#include "tetrarch/canonical/decorated.hpp"
 #include "tetrarch/core/isomorphism.hpp"
 #include "tetrarch/core/progress.hpp"
 #include "tetrarch/hyperbolic/hyperbolize.hpp"
@@ -25,18 +28,12 @@
 
 namespace tetrarch::canonical {
 
-/// Small enough for every cusp known to us (the cells of 41 test structures were constant up to area 2).
-inline constexpr double cusp_area = 0.05;
-
 struct CanonizeOptions {
   /// A double-precision tilt or coordinate closer to 0 than this goes to high precision. The structures are
   /// solved to 1e-12; conditioning has never cost more than three digits.
   double sign_margin = 1e-8;
   int move_budget = 2000; ///< geometric moves per attempt
-  /// Attempts from a randomly changed triangulation, about 0.1 ms each. Of the gluings of up to four
-  /// tetrahedra one gets stuck at first (eLAkbccddhhnxk, at a coordinate that is exactly zero), and 3 percent
-  /// of the attempts free it.
-  int restarts = 1000;
+  int restarts = 1000;    ///< attempts from a randomly changed triangulation, about 0.1 ms each
   std::uint64_t seed = 1;
 };
 
@@ -54,6 +51,7 @@ struct Canonical {
   /// The smallest |tilt| of a face that is not flat: how far every sign was from being in doubt.
   double smallest_tilt = 0;
   int geometric_moves = 0;
+  bool by_hull = false; ///< flips got stuck, and the cells were built directly
   int restarts = 0;
   /// The cells' names by their number, and the triangulation that names the manifold: `triangulation` itself
   /// where all cells are tetrahedra, else the coned one (cells.hpp).
@@ -75,13 +73,24 @@ std::vector<Isomorphism> isometry_group(const Canonical& canonical);
 /// Whether two manifolds are isometric.
 struct IsometryAnswer {
   enum class Verdict { isometric, not_isometric, undecided };
+  /// What a yes or a no rests on.
+  enum class Proof {
+    none,        ///< undecided
+    isomorphism, ///< of triangulations: a homeomorphism, hence an isometry (Mostow rigidity)
+    boundary,    ///< the boundaries differ
+    cells,       ///< the canonical decompositions differ
+  };
   Verdict verdict = Verdict::undecided;
+  Proof proof = Proof::none;
   std::string reason;
-  Isomorphism isometry; ///< between the canonical triangulations, where isometric
+  Isomorphism isometry; ///< between the triangulations that were compared, where isometric
 };
+/// The name as spelt above; stable, for JSON.
+const char* to_string(IsometryAnswer::Proof proof);
 
-/// Compares canonical triangulations. Where either has flat faces a difference or an agreement rests on
-/// numbers that are not certified: undecided.
+/// Compares canonical triangulations. Where they are isomorphic, the manifolds are isometric, flat faces or
+/// not. Where they differ and either has flat faces, the difference rests on numbers that are not certified:
+/// undecided.
 [[nodiscard]] IsometryAnswer compare(const Canonical& a, const Canonical& b);
 
 } // namespace tetrarch::canonical
