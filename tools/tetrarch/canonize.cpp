@@ -255,8 +255,7 @@ Run declare_canonize(OptionTable& table) {
   table.add("X", *input, "a triangulation that carries a hyperbolic structure").required();
   table.add("-o,--output", *output, "write the canonical triangulation with its cells as JSON")
       .value_name("FILE");
-  table
-      .add("--attempts", *attempts, "greatest number of triangulations on which to look for a structure and its cells")
+  table.add("--attempts", *attempts, "greatest number of triangulations to try")
       .in_range(1, 10'000'000)
       .with_default();
   return [input, output, attempts](const Context& context) {
