@@ -43,7 +43,8 @@ template <class Scalar>
 Decorated<Scalar> decorate(const Triangulation& tri, const Skeleton& skeleton,
                            const hyperbolic::Metric<Scalar>& lengths);
 /// The edge lengths that the inner products tell, for the skeleton of m.tri. Horospheres are moved until
-/// lengths are about 0, as if all tetrahedra were regular: lengths far from 0 are taken for running off. O(n).
+/// lengths are about 0, as if all tetrahedra were regular: lengths far from 0 are taken for running off.
+/// O(n).
 hyperbolic::Metric<double> edge_lengths(Decorated<double> m, const Skeleton& skeleton);
 
 /// How the neighbour's far vertex v' lies, in the basis of this tetrahedron's vertices: v' = sum of a[j] v_j.
