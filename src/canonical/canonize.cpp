@@ -218,7 +218,7 @@ std::vector<Isomorphism> isometry_group(const Canonical& canonical) {
 }
 
 const char* to_string(IsometryAnswer::Proof proof) {
-  constexpr std::array<const char*, 4> names{"none", "isomorphism", "boundary", "cells"};
+  constexpr std::array<const char*, 5> names{"none", "isomorphism", "boundary", "homology", "cells"};
   return names[static_cast<std::size_t>(proof)];
 }
 

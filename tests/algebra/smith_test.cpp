@@ -101,7 +101,7 @@ TEST_CASE("a common factor comes out of every invariant factor", "[smith]") {
     const SmithForm before = smith(m);
     for (auto& row : m)
       for (Integer& x : row) x *= factor;
-    std::vector<Integer> expected(static_cast<std::size_t>(before.units), factor);
+    Torsion expected(static_cast<std::size_t>(before.units), factor);
     for (const Integer& f : before.factors) expected.push_back(factor * f);
     CHECK(smith(m) == SmithForm{0, expected});
   }

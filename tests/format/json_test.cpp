@@ -8,6 +8,7 @@
 #include <catch2/catch.hpp>
 #include <clocale>
 #include <locale>
+#include <nlohmann/json.hpp>
 
 using namespace tetrarch;
 using namespace tetrarch::format;

@@ -18,6 +18,7 @@
 #include "tetrarch/core/check.hpp"
 
 #include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
 
 using namespace tetrarch;
 using namespace tetrarch::format;

@@ -3,6 +3,7 @@
 #include "input.hpp"
 #include "text.hpp"
 
+#include "tetrarch/algebra/homology.hpp"
 #include "tetrarch/canonical/canonize.hpp"
 #include "tetrarch/core/boundary.hpp"
 #include "tetrarch/core/signature.hpp"
@@ -191,6 +192,13 @@ Compared compare_all(const std::string& x, const std::string& y, const Given& gi
     return told(IsometryAnswer::Verdict::not_isometric, IsometryAnswer::Proof::boundary,
                 "the boundaries differ: " + named(given_x) + " against " + named(given_y));
   }
+  const auto homology = [](const Given& g) {
+    const Triangulation& tri = g.document.triangulation;
+    return algebra::homology(tri, Skeleton(tri), 1);
+  };
+  if (const auto h_x = homology(given_x), h_y = homology(given_y); h_x != h_y)
+    return told(IsometryAnswer::Verdict::not_isometric, IsometryAnswer::Proof::homology,
+                "the first homology differs: " + h_x.str() + " against " + h_y.str());
   const int attempts = hyperbolic::SearchOptions{}.attempts;
   const hyperbolic::Search found = structure_of(given_x, attempts, context);
   if (found.structure.outcome == Outcome::geometric)

@@ -78,6 +78,7 @@ struct IsometryAnswer {
     none,        ///< undecided
     isomorphism, ///< of triangulations: a homeomorphism, hence an isometry (Mostow rigidity)
     boundary,    ///< the boundaries differ
+    homology,    ///< the first homology groups differ
     cells,       ///< the canonical decompositions differ
   };
   Verdict verdict = Verdict::undecided;
