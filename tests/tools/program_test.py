@@ -132,6 +132,13 @@ class Canonize(unittest.TestCase):
         self.assertEqual((status, answer["isometric"], answer["proof"]), (0, True, "isomorphism"))
         self.assertEqual(answer["between"], "canonical triangulations")
 
+    def test_different_homology_is_a_no_although_a_face_is_flat(self):
+        # H1 of the two octahedra by Regina 7.3.
+        status, answer = run_json("isometric", "eLAkbccddemoen", "eLAkbccddemwij")
+        self.assertEqual((status, answer["isometric"], answer["proof"]), (1, False, "homology"))
+        homology = [run_json("info", signature)[1]["homology"] for signature in ("eLAkbccddemoen", "eLAkbccddemwij")]
+        self.assertEqual(answer["reason"], "the first homology differs: %s against %s" % tuple(homology))
+
     def test_canonize_attempts(self):
         # A minimal triangulation of the cusped census without a structure of its own: one attempt is too few. The
         # canonical signature is SnapPea's (Regina 7.3).
