@@ -136,8 +136,7 @@ class Canonize(unittest.TestCase):
         # H1 of the two octahedra by Regina 7.3.
         status, answer = run_json("isometric", "eLAkbccddemoen", "eLAkbccddemwij")
         self.assertEqual((status, answer["isometric"], answer["proof"]), (1, False, "homology"))
-        homology = [run_json("info", signature)[1]["homology"] for signature in ("eLAkbccddemoen", "eLAkbccddemwij")]
-        self.assertEqual(answer["reason"], "the first homology differs: %s against %s" % tuple(homology))
+        self.assertEqual(answer["reason"], "the first homology differs: Z^2 + Z/3 against Z^2")
 
     def test_canonize_attempts(self):
         # A minimal triangulation of the cusped census without a structure of its own: one attempt is too few. The
