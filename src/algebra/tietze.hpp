@@ -6,6 +6,8 @@
 
 #include "tetrarch/algebra/group.hpp"
 
+#include <cstdlib>
+
 namespace tetrarch::algebra {
 
 /// Removes generators that a relator equates to 1, to another generator or to its inverse, until no relator
@@ -16,6 +18,11 @@ Kept without_short_relators(const Presentation& presentation);
 
 /// The rest of what `simplified` promises.
 Kept tietze_reduced(const Presentation& presentation, const TietzeOptions& options, const Progress& progress);
+
+/// The place of a letter in the order a < A < b < B < ...
+inline int rank_of(int letter) {
+  return 2 * std::abs(letter) + (letter < 0 ? 1 : 0);
+}
 
 /// The least word, in the order a < A < b < B < ..., among all rotations of a cyclically reduced word and of
 /// its inverse. O(length).

@@ -128,7 +128,7 @@ std::optional<FileFormat> recognise(std::string_view text, const std::string& so
   TextCursor in(text, source);
   if (in.at_end() || is_control(in.next_char())) return std::nullopt;
   const std::string_view first = first_word(in);
-  if (first.empty()) return std::nullopt;
+  if (first.empty()) return format_for_extension(source);
   if (first.front() == '{') return FileFormat::json;
   if (first.front() == '<') return FileFormat::regina;
   if (first.front() == '%') return in.peek() == "orb" ? FileFormat::orb : FileFormat::snappea;

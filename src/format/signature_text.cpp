@@ -51,7 +51,9 @@ Element element_on(std::string_view line, const Place& place) {
   const std::string_view rest = trimmed(line.substr(word.size()));
   Element element;
   try {
-    if (is_signature_text(rest.substr(0, rest.find_first_of(" \t"))))
+    const std::string_view next = rest.substr(0, rest.find_first_of(" \t"));
+    // A name may be "a", which is how the signature of no tetrahedra begins.
+    if (!next.starts_with('a') && is_signature_text(next))
       throw InputError(found_expected(rest, "one signature a line"));
     element.document = read_signature_text(word);
     element.name = clean_line(rest);

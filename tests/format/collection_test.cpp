@@ -95,6 +95,7 @@ TEST_CASE("a list of signatures has an element for each line", "[collection]") {
     CHECK(list.elements[2].name.empty());
     CHECK(list.elements[2].document.triangulation == from_signature("bkaaid"));
   }
+  CHECK(read_all("cPcbbbiht a\n", "f.sig").elements[0].name == "a"); // also a signature, of nothing
   // Recognised without the extension.
   CHECK(read_all("# signatures\ncPcbbbiht\ncPcbbbihq\n", "f").elements.size() == 2);
   CHECK(read_all("\xEF\xBB\xBF"

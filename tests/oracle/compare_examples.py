@@ -34,7 +34,8 @@ def homology(tri):
     return " + ".join(parts) or "0"
 
 
-def triangulations(packet):
+def triangulations(root):
+    packet = root  # the tree lives as long as its root is held
     while packet:
         if packet.typeName() in ("3-D triangulation", "SnapPea triangulation"):
             yield packet

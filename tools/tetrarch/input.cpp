@@ -252,7 +252,13 @@ ValuePointer read_value(const std::string& argument, const Context& context) {
 }
 
 bool is_signature_with_dash(const std::string& word) {
-  return word.starts_with('-') && format::is_signature_text(word);
+  constexpr int least = 63; // "-ba" says that there are none
+  if (!word.starts_with('-')) return false;
+  try {
+    return format::read_signature_text(word).triangulation.size() >= least;
+  } catch (const InputError&) {
+    return false;
+  }
 }
 
 std::string shielded(const std::string& word) {

@@ -93,7 +93,7 @@ void tell_reads(Result& result, const Reads& reads) {
 
 /// Adds whose result it is.
 void tell_input(Result& result, const Share& share) {
-  for (std::string& warning : result.warnings) warning = share.input + ": " + warning;
+  for (std::string& warning : result.warnings) warning.insert(0, share.input + ": ");
   if (result.json.is_object()) {
     Json named{{"input", share.input}};
     if (!share.name.empty()) named["name"] = share.name;

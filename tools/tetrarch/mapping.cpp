@@ -5,6 +5,7 @@
 #include "text.hpp"
 
 #include "tetrarch/core/error.hpp"
+#include "tetrarch/format/text.hpp"
 
 #include <algorithm>
 #include <array>
@@ -80,6 +81,11 @@ Status run_mapping(Mapping mapping, const std::vector<Command>& table, const std
   Share share{{}, {}, {}, std::move(mapping.collection.passed_over)};
   Status gravest = Status::done;
   std::vector<format::Element>& elements = mapping.collection.elements;
+  if (elements.empty())
+    return complain(speaker,
+                    format::source_name(mapping.path) + ": found no triangulations of 3-manifolds" +
+                        (share.passed_over.empty() ? "" : "; " + share.passed_over.sentence()),
+                    Status::bad_input);
   for (std::size_t k = 0; k < elements.size() && gravest != Status::interrupted; ++k) {
     const std::vector<std::string> words = words_for(mapping, k + 1);
     const std::string& input = words[mapping.at];
