@@ -31,7 +31,8 @@ struct InputError : std::runtime_error {
   InputError(const Place& place, const std::string& message);
 };
 
-/// A token as it may stand in an error message: quoted, control characters replaced, cut after 40 characters.
+/// A token as it may stand in an error message: quoted, control characters and what is no UTF-8 replaced by
+/// question marks, cut after 40 characters.
 std::string in_quotes(std::string_view token);
 
 } // namespace tetrarch
