@@ -376,4 +376,13 @@ bool looks_like_signature(std::string_view text) {
   return !text.empty() && text.find_first_not_of(letters) == std::string_view::npos;
 }
 
+bool is_signature(std::string_view text) {
+  try {
+    from_signature(text);
+    return true;
+  } catch (const InputError&) {
+    return false;
+  }
+}
+
 } // namespace tetrarch

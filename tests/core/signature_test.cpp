@@ -201,6 +201,21 @@ TEST_CASE("what is no signature is an InputError that names the place", "[signat
   CHECK(looks_like_signature(" cPcbbbihq\n"));
 }
 
+TEST_CASE("whole words are signatures or none", "[signature]") {
+  CHECK(is_signature("cPcbbbihq"));
+  CHECK_FALSE(is_signature(""));
+  CHECK_FALSE(is_signature("cPcbbbih"));
+  // Signatures of 63 and more tetrahedra begin with a dash (Burton 2011, section 3); options do so, too.
+  Random random(8);
+  for (const int tets : {63, 64, 200}) {
+    const std::string text = signature(random_gluing({tets, 3, false, true}, random));
+    CHECK(text.front() == '-');
+    CHECK(is_signature(text));
+  }
+  for (const char* option : {"-", "-o", "-h", "-a", "-b", "-bb", "--json", "--", "-oout", "--seed", "-1"})
+    CHECK_FALSE(is_signature(option));
+}
+
 TEST_CASE("every prefix of a signature is refused", "[signature]") {
   for (const ZooEntry& animal : zoo())
     for (std::size_t k = 0; k < animal.signature.size(); ++k) {

@@ -39,4 +39,7 @@ Triangulation from_signature(std::string_view text);
 /// be one".
 bool looks_like_signature(std::string_view text);
 
+/// Whether `from_signature` would read it. O(length).
+bool is_signature(std::string_view text);
+
 } // namespace tetrarch
