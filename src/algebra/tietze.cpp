@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "tietze.hpp"
 
+#include "tietze_windows.hpp"
+
 #include <algorithm>
-#include <array>
-#include <bitset>
-#include <cstdint>
 #include <cstdlib>
+#include <iterator>
 #include <optional>
-#include <unordered_map>
+#include <set>
+#include <tuple>
+#include <utility>
 
 namespace tetrarch::algebra {
 namespace {
@@ -17,11 +19,6 @@ constexpr long long small_length = 100;
 
 int generator_of(int letter) {
   return std::abs(letter) - 1;
-}
-
-/// The place of a letter in the order a < A < b < B < ...
-int rank_of(int letter) {
-  return 2 * std::abs(letter) + (letter < 0 ? 1 : 0);
 }
 
 bool precedes(const Word& a, const Word& b) {
@@ -65,19 +62,43 @@ struct Choice {
   long long growth;
 };
 
+/// A set of small integers that is filled, taken, and filled again.
+class Marked {
+public:
+  explicit Marked(std::size_t size) : is_marked_(size, 0) {}
+  void add(int x) {
+    if (std::exchange(is_marked_[x], 1) == 0) list_.push_back(x);
+  }
+  bool contains(int x) const { return is_marked_[x] != 0; }
+  /// All of them in increasing order; none is left.
+  std::vector<int> take() {
+    std::sort(list_.begin(), list_.end());
+    for (const int x : list_) is_marked_[x] = 0;
+    return std::exchange(list_, {});
+  }
+
+private:
+  std::vector<char> is_marked_;
+  std::vector<int> list_;
+};
+
+/// An elimination changes a few relators, so every question is asked again only where something changed:
+/// otherwise thousands of eliminations in chains of thousands of relators would take seconds.
 class Tietze {
 public:
   Tietze(const Presentation& p, const TietzeOptions& options, const Progress& progress);
-  Presentation run();
+  Kept run();
 
 private:
   bool spend(std::size_t letters) {
     return (letters_ += static_cast<long long>(letters)) <= options_.max_letters;
   }
   bool spent() const { return letters_ > options_.max_letters; }
-  std::vector<int> by_length() const;
+  void sort_by_length(std::vector<int>& relators) const;
   void replace(int relator, Word word);
 
+  void forget_choice(int relator);
+  void refresh_choices();
   bool eliminate_pass();
   bool eliminate_with_growth(long long limit);
   std::optional<Choice> best_generator(int relator);
@@ -85,17 +106,24 @@ private:
 
   bool shorten_pass();
   bool shorten_others_by(int relator);
-  Presentation result() const;
+  std::vector<int> shortenable_by(int relator) const;
+  Kept result() const;
 
   const TietzeOptions& options_;
   const Progress& progress_;
   std::vector<Word> relators_;
-  std::vector<std::vector<int>> where_; ///< per generator, a superset of the relators that contain it
-  std::vector<long long> count_;        ///< per generator, its letters in all relators
-  std::vector<char> gone_;              ///< per generator
-  std::vector<int> changed_;            ///< per relator, the last pass of shortening before which it changed
-  int pass_ = 0;
+  std::vector<std::set<int>> where_; ///< per generator, the relators that contain it
+  std::vector<long long> count_;     ///< per generator, its letters in all relators
+  std::vector<char> gone_;           ///< per generator
+  /// Growth, length and number of each relator that has a choice, as of the last `refresh_choices`.
+  std::set<std::tuple<long long, std::size_t, int>> costs_;
+  std::vector<std::optional<std::pair<long long, std::size_t>>> cost_; ///< per relator, its entry there
+  Marked counted_;          ///< generators whose count changed since then
+  Marked changed_;          ///< relators that changed since the last pass of shortening began
+  std::vector<char> fresh_; ///< per relator: it changed since the pass before that
   std::vector<int> occurs_; ///< scratch: letters per generator, all 0 between uses
+  Marked used_;             ///< scratch: generators
+  Marked near_;             ///< scratch: relators
   long long length_ = 0;
   long long letters_ = 0;
 };
@@ -103,30 +131,40 @@ private:
 Tietze::Tietze(const Presentation& p, const TietzeOptions& options, const Progress& progress)
     : options_(options), progress_(progress), relators_(p.relators.size()),
       where_(static_cast<std::size_t>(p.generators)), count_(where_.size(), 0), gone_(where_.size(), 0),
-      changed_(relators_.size(), 0), occurs_(where_.size(), 0) {
+      cost_(relators_.size()), counted_(where_.size()), changed_(relators_.size()),
+      fresh_(relators_.size(), 0), occurs_(where_.size(), 0), used_(where_.size()), near_(relators_.size()) {
   for (std::size_t r = 0; r < relators_.size(); ++r) replace(static_cast<int>(r), p.relators[r]);
 }
 
 void Tietze::replace(int relator, Word word) {
   Word& old = relators_[relator];
-  for (const int letter : old) --count_[generator_of(letter)];
+  for (const int letter : old) {
+    const int g = generator_of(letter);
+    --count_[g];
+    counted_.add(g);
+    where_[g].erase(relator);
+  }
   for (const int letter : word) {
     const int g = generator_of(letter);
     ++count_[g];
-    if (where_[g].empty() || where_[g].back() != relator) where_[g].push_back(relator);
+    counted_.add(g);
+    where_[g].insert(relator);
   }
   length_ += static_cast<long long>(word.size()) - static_cast<long long>(old.size());
   old = std::move(word);
-  changed_[relator] = pass_;
+  changed_.add(relator);
+  forget_choice(relator);
 }
 
-std::vector<int> Tietze::by_length() const {
-  std::vector<int> order;
-  for (std::size_t r = 0; r < relators_.size(); ++r)
-    if (!relators_[r].empty()) order.push_back(static_cast<int>(r));
-  std::stable_sort(order.begin(), order.end(),
-                   [&](int a, int b) { return relators_[a].size() < relators_[b].size(); });
-  return order;
+void Tietze::forget_choice(int relator) {
+  if (cost_[relator]) costs_.erase({cost_[relator]->first, cost_[relator]->second, relator});
+  cost_[relator].reset();
+}
+
+void Tietze::sort_by_length(std::vector<int>& relators) const {
+  std::sort(relators.begin(), relators.end(), [this](int a, int b) {
+    return std::pair(relators_[a].size(), a) < std::pair(relators_[b].size(), b);
+  });
 }
 
 /// Among the generators that occur once in the relator, one whose elimination costs least.
@@ -159,8 +197,7 @@ void Tietze::eliminate(Choice choice) {
 
   replace(choice.relator, {});
   gone_[choice.generator] = 1;
-  const std::vector<int> places = std::move(where_[choice.generator]);
-  where_[choice.generator].clear();
+  const std::set<int> places = where_[choice.generator];
   for (const int r : places) {
     Word word;
     bool met = false;
@@ -178,10 +215,30 @@ void Tietze::eliminate(Choice choice) {
   }
 }
 
-/// All eliminations that make nothing longer, shortest relator first.
+/// Only where a count changed can the least growth be another one.
+void Tietze::refresh_choices() {
+  for (const int g : counted_.take())
+    for (const int r : where_[g]) near_.add(r);
+  for (const int r : near_.take()) {
+    forget_choice(r);
+    const std::optional<Choice> choice = best_generator(r);
+    if (!choice) continue;
+    cost_[r] = {choice->growth, relators_[r].size()};
+    costs_.insert({cost_[r]->first, cost_[r]->second, r});
+  }
+}
+
+/// The eliminations that make nothing longer, shortest relator first.
 bool Tietze::eliminate_pass() {
+  refresh_choices();
+  std::vector<int> relators;
+  for (const auto& [growth, length, r] : costs_) {
+    if (growth > 0) break;
+    relators.push_back(r);
+  }
+  sort_by_length(relators);
   bool any = false;
-  for (const int r : by_length()) {
+  for (const int r : relators) {
     if (relators_[r].empty() || spent()) continue;
     progress_.step("simplify the group");
     const std::optional<Choice> choice = best_generator(r);
@@ -194,133 +251,74 @@ bool Tietze::eliminate_pass() {
 
 /// The one elimination that adds least, if the length stays within the limit.
 bool Tietze::eliminate_with_growth(long long limit) {
-  std::optional<Choice> best;
-  for (const int r : by_length()) {
-    if (spent()) return false;
-    const std::optional<Choice> choice = best_generator(r);
-    if (choice && (!best || choice->growth < best->growth)) best = choice;
-  }
-  if (!best || length_ + best->growth > limit) return false;
-  eliminate(*best);
+  refresh_choices();
+  if (costs_.empty() || spent()) return false;
+  const auto& [growth, length, r] = *costs_.begin();
+  if (length_ + growth > limit) return false;
+  eliminate(*best_generator(r));
   return true;
 }
 
-/// A window that rolls round a cyclic word, and its hash.
-class RollingHash {
-public:
-  /// The window that starts at letter 0. `width` is at most the word's length.
-  RollingHash(const Word& word, std::size_t width) : word_(word), end_(width % word.size()) {
-    for (std::size_t k = 0; k < width; ++k) {
-      hash_ = hash_ * base + digit(word[k]);
-      if (k > 0) top_ *= base;
-    }
-  }
-  std::uint64_t value() const { return hash_; }
-  /// On to the window that starts one letter further on.
-  void roll() {
-    hash_ = (hash_ - digit(word_[start_]) * top_) * base + digit(word_[end_]);
-    if (++start_ == word_.size()) start_ = 0;
-    if (++end_ == word_.size()) end_ = 0;
-  }
-
-private:
-  static constexpr std::uint64_t base = 0x9E3779B97F4A7C15U; // any odd number with well mixed bits serves
-  static std::uint64_t digit(int letter) { return static_cast<std::uint64_t>(rank_of(letter)); }
-  const Word& word_;
-  std::size_t start_ = 0;
-  std::size_t end_;
-  std::uint64_t hash_ = 0;
-  std::uint64_t top_ = 1;
-};
-
-/// All windows of one width in a cyclic word and its inverse, by hash. Hashes are compared first, letters
-/// always, so a collision can hide a match but not invent one.
-class Windows {
-public:
-  Windows(const Word& word, std::size_t width) : width_(width), text_{word, inverse(word)} {
-    index_.reserve(2 * word.size());
-    for (int side = 0; side < 2; ++side) {
-      RollingHash window(text_[side], width);
-      for (std::size_t i = 0; i < word.size(); ++i, window.roll()) {
-        if (!index_.try_emplace(window.value(), Place{side, i}).second) continue;
-        filter_[filter_slot(window.value())] = true;
-      }
-    }
-  }
-
-  /// The cyclic word after its first match was replaced by what it equals in the group, or nothing.
-  std::optional<Word> shortened(const Word& word) const {
-    RollingHash window(word, width_);
-    for (std::size_t i = 0; i < word.size(); ++i, window.roll()) {
-      if (!filter_[filter_slot(window.value())]) continue;
-      const auto found = index_.find(window.value());
-      if (found == index_.end()) continue;
-      const std::size_t length = match_length(word, i, found->second);
-      if (length < width_) continue;
-      const Word& text = text_[found->second.side];
-      Word rest; // the relator without the letters that match
-      for (std::size_t k = length; k < text.size(); ++k)
-        rest.push_back(text[(found->second.start + k) % text.size()]);
-      Word out = inverse(rest);
-      for (std::size_t k = length; k < word.size(); ++k) out.push_back(word[(i + k) % word.size()]);
-      return cyclically_reduced(out);
-    }
-    return std::nullopt;
-  }
-
-private:
-  struct Place {
-    int side;
-    std::size_t start;
+/// The relators of which more than half of this one may be a part. Any such part has one of two opposite
+/// letters in it; of all pairs the rarest is taken.
+std::vector<int> Tietze::shortenable_by(int relator) const {
+  const Word& word = relators_[relator];
+  const std::size_t half = word.size() / 2;
+  const auto place = [&](std::size_t k) -> const std::set<int>& {
+    return where_[generator_of(word[k % word.size()])];
   };
-  static std::size_t filter_slot(std::uint64_t hash) { return static_cast<std::size_t>(hash >> 52U); }
-  std::size_t match_length(const Word& word, std::size_t i, Place at) const {
-    const Word& text = text_[at.side];
-    const std::size_t limit = std::min(text.size(), word.size());
-    std::size_t length = 0;
-    while (length < limit && word[(i + length) % word.size()] == text[(at.start + length) % text.size()])
-      ++length;
-    return length;
-  }
-
-  std::size_t width_;
-  std::array<Word, 2> text_;
-  std::unordered_map<std::uint64_t, Place> index_; // looked up, never walked through: its order plays no role
-  std::bitset<4096> filter_;                       // most windows of other words end here
-};
+  std::size_t best = 0;
+  for (std::size_t k = 1; k < word.size(); ++k)
+    if (place(k).size() + place(k + half).size() < place(best).size() + place(best + half).size()) best = k;
+  std::vector<int> found;
+  std::set_union(place(best).begin(), place(best).end(), place(best + half).begin(), place(best + half).end(),
+                 std::back_inserter(found));
+  std::erase_if(found, [&](int s) {
+    return s == relator || relators_[s].size() < half + 1 || !(fresh_[relator] || fresh_[s]);
+  });
+  return found;
+}
 
 bool Tietze::shorten_others_by(int relator) {
   const Word by = relators_[relator];
   const std::size_t width = by.size() / 2 + 1;
-  const bool fresh = changed_[relator] >= pass_ - 1;
   std::optional<Windows> windows;
   bool any = false;
-  for (std::size_t s = 0; s < relators_.size() && !spent(); ++s) {
-    if (static_cast<int>(s) == relator || relators_[s].size() < width) continue;
-    if (!fresh && changed_[s] < pass_ - 1) continue;
+  for (const int s : shortenable_by(relator)) {
+    if (spent()) break;
     if (!windows && spend(4 * by.size())) windows.emplace(by, width);
     while (windows && relators_[s].size() >= width && spend(relators_[s].size())) {
       auto word = windows->shortened(relators_[s]);
       if (!word) break;
-      replace(static_cast<int>(s), std::move(*word));
+      replace(s, std::move(*word));
       any = true;
     }
   }
   return any;
 }
 
+/// Of two relators that have not changed since the last pass none shortens the other.
 bool Tietze::shorten_pass() {
-  ++pass_;
+  const std::vector<int> fresh = changed_.take();
+  for (const int r : fresh) {
+    fresh_[r] = 1;
+    for (const int letter : relators_[r]) used_.add(generator_of(letter));
+  }
+  for (const int g : used_.take())
+    for (const int r : where_[g]) near_.add(r);
+  std::vector<int> order = near_.take();
+  sort_by_length(order);
   bool any = false;
-  for (const int r : by_length()) {
+  for (const int r : order) {
     if (spent()) break;
     progress_.step("simplify the group");
     if (!relators_[r].empty() && shorten_others_by(r)) any = true;
   }
+  for (const int r : fresh) fresh_[r] = 0;
   return any;
 }
 
-Presentation Tietze::run() {
+Kept Tietze::run() {
   std::optional<long long> limit;
   while (!spent()) {
     if (eliminate_pass() || shorten_pass()) continue;
@@ -333,11 +331,15 @@ Presentation Tietze::run() {
   return result();
 }
 
-Presentation Tietze::result() const {
-  Presentation out;
+Kept Tietze::result() const {
+  Kept kept;
+  Presentation& out = kept.presentation;
   std::vector<int> number(gone_.size(), 0);
-  for (std::size_t g = 0; g < gone_.size(); ++g)
-    if (!gone_[g]) number[g] = ++out.generators;
+  for (std::size_t g = 0; g < gone_.size(); ++g) {
+    if (gone_[g]) continue;
+    number[g] = ++out.generators;
+    kept.generator.push_back(static_cast<int>(g));
+  }
   for (const Word& relator : relators_) {
     if (relator.empty()) continue;
     Word word;
@@ -346,7 +348,7 @@ Presentation Tietze::result() const {
   }
   std::sort(out.relators.begin(), out.relators.end(), precedes);
   out.relators.erase(std::unique(out.relators.begin(), out.relators.end()), out.relators.end());
-  return out;
+  return kept;
 }
 
 } // namespace
@@ -364,15 +366,23 @@ Word least_rotation(const Word& word) {
   return precedes(b, a) ? b : a;
 }
 
-Presentation tietze_reduced(const Presentation& presentation, const TietzeOptions& options,
-                            const Progress& progress) {
+Kept tietze_reduced(const Presentation& presentation, const TietzeOptions& options,
+                    const Progress& progress) {
   return Tietze(presentation, options, progress).run();
+}
+
+Kept simplified_keeping(const Presentation& presentation, const TietzeOptions& options,
+                        const Progress& progress) {
+  require_letters(presentation);
+  const Kept first = without_short_relators(presentation);
+  Kept kept = tietze_reduced(first.presentation, options, progress);
+  for (int& g : kept.generator) g = first.generator[g];
+  return kept;
 }
 
 Presentation simplified(const Presentation& presentation, const TietzeOptions& options,
                         const Progress& progress) {
-  require_letters(presentation);
-  return tietze_reduced(without_short_relators(presentation), options, progress);
+  return simplified_keeping(presentation, options, progress).presentation;
 }
 
 } // namespace tetrarch::algebra

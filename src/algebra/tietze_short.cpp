@@ -125,8 +125,9 @@ bool merge_pass(std::vector<Word>& relators, Equations& equations) {
 
 } // namespace
 
-Presentation without_short_relators(const Presentation& presentation) {
-  Presentation out = presentation;
+Kept without_short_relators(const Presentation& presentation) {
+  Kept result{presentation, {}};
+  Presentation& out = result.presentation;
   for (Word& word : out.relators) word = cyclically_reduced(word);
   Equations equations(out.generators);
   Killing(out).run(equations);
@@ -134,12 +135,15 @@ Presentation without_short_relators(const Presentation& presentation) {
   }
   std::vector<int> number(static_cast<std::size_t>(out.generators), 0);
   int kept = 0;
-  for (int g = 0; g < out.generators; ++g)
-    if (equations.now(g + 1) == g + 1) number[g] = ++kept;
+  for (int g = 0; g < out.generators; ++g) {
+    if (equations.now(g + 1) != g + 1) continue;
+    number[g] = ++kept;
+    result.generator.push_back(g);
+  }
   for (Word& word : out.relators)
     for (int& letter : word) letter = letter > 0 ? number[letter - 1] : -number[-letter - 1];
   out.generators = kept;
-  return out;
+  return result;
 }
 
 } // namespace tetrarch::algebra

@@ -79,6 +79,15 @@ struct TietzeOptions {
 Presentation simplified(const Presentation& presentation, const TietzeOptions& options = {},
                         const Progress& progress = {});
 
+/// A presentation of the same group, each of whose generators is one of the given ones.
+struct Kept {
+  Presentation presentation;
+  std::vector<int> generator; ///< of each generator, which of the given ones it is; increasing
+};
+/// `simplified`, and which generators are left. Those of a `dual_presentation` still cross their faces.
+Kept simplified_keeping(const Presentation& presentation, const TietzeOptions& options = {},
+                        const Progress& progress = {});
+
 /// The abelianised group. Throws PreconditionError if a letter names no generator.
 AbelianGroup abelianized(const Presentation& presentation);
 
