@@ -6,15 +6,19 @@
 #include "json_tree.hpp"
 
 #include <cstdlib>
-#include <limits>
+#include <string>
 
 namespace tetrarch::format {
 namespace {
 
+/// A name is made for each, so that a short file must not ask for more than fit into memory.
+constexpr int most_generators = 4'000'000;
+
 GroupDocument to_group(JsonTree tree) {
   GroupDocument group;
-  group.generators = read_integer(required(tree.root, "generators"), {JsonStep("generators")}, 0,
-                                  std::numeric_limits<int>::max(), "the number of generators");
+  group.generators =
+      read_integer(required(tree.root, "generators"), {JsonStep("generators")}, 0, most_generators,
+                   "the number of generators, 0 to " + std::to_string(most_generators));
   const std::string letter = "a letter, 1 to " + std::to_string(group.generators) + " or minus that";
   const auto read_letter = [&group, &letter](const Json& value, const JsonPath& path) {
     const int read = read_integer(value, path, -group.generators, group.generators, letter);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "inflate.hpp"
 
+#include "tetrarch/format/text.hpp"
+
 #include <algorithm>
 #include <limits>
 #include <zlib.h>
@@ -25,12 +27,10 @@ private:
   z_stream state_{};
 };
 
-} // namespace
-
-std::string inflate(std::string_view packed, std::size_t limit, const Place& place) {
+/// Unpacks one stream to the end of `out` and takes it away from `packed`.
+void inflate_one(std::string_view& packed, std::string& out, std::size_t limit, const Place& place) {
   Stream stream(place);
   z_stream& state = stream.state();
-  std::string out;
   constexpr std::size_t chunk = std::size_t{1} << 18;
   int result = Z_OK;
   while (result != Z_STREAM_END) {
@@ -53,7 +53,24 @@ std::string inflate(std::string_view packed, std::size_t limit, const Place& pla
       throw InputError(place,
                        starved ? "the compressed data end too early" : "the compressed data are damaged");
   }
+  packed = {packed.data() - state.avail_in, packed.size() + state.avail_in};
+}
+
+} // namespace
+
+Inflated inflate(std::string_view packed, std::size_t limit, const Place& place) {
+  Inflated out;
+  const bool has_members = packed.starts_with(gzip_mark);
+  inflate_one(packed, out.data, limit, place);
+  while (has_members && packed.starts_with(gzip_mark)) inflate_one(packed, out.data, limit, place);
+  out.left = packed.find_first_not_of('\0') == std::string_view::npos ? 0 : packed.size();
   return out;
+}
+
+std::size_t most_inflated(std::size_t packed) {
+  constexpr std::size_t least = std::size_t{1} << 24;
+  constexpr std::size_t best_ratio = 200;
+  return std::clamp(packed, least / best_ratio, longest_file / best_ratio) * best_ratio;
 }
 
 } // namespace tetrarch::format

@@ -33,9 +33,8 @@ public:
     document.name = read_head();
     read_edges();
     document.triangulation = triangulation();
-    if (singular_ > 0)
-      document.warnings.push_back("the singular orders of " + std::to_string(singular_) +
-                                  " edges were dropped: this is the underlying manifold");
+    document.passed_over.note("singular order of an edge, of which the underlying manifold has none",
+                              singular_);
     return document;
   }
 

@@ -8,6 +8,7 @@
 #include "tetrarch/format/json.hpp"
 #include "tetrarch/format/orb.hpp"
 #include "tetrarch/format/regina.hpp"
+#include "tetrarch/format/signature_text.hpp"
 #include "tetrarch/format/snappea.hpp"
 #include "tetrarch/format/text.hpp"
 
@@ -42,35 +43,53 @@ std::string extension_of(std::string_view path) {
   return extension;
 }
 
-bool is_signature(std::string_view token) {
-  try {
-    from_signature(token);
-    return true;
-  } catch (const InputError&) {
-    return false;
-  }
+Collection collection_of(Document document) {
+  Collection one;
+  std::string name = document.name;
+  one.elements.push_back({std::move(name), std::move(document), {}});
+  return one;
 }
 
-Document read_signature(std::string_view text, const std::string& source) {
+Collection read_records(std::string_view text, const std::string& source) {
+  Collection records;
+  for (const FmpRecord& record : read_fmp(text, source))
+    records.elements.push_back({{}, document_of(record), {}});
+  return records;
+}
+
+/// Text, no longer compressed and without a byte order mark.
+Collection read_plain(std::string_view text, const std::string& source) {
+  if (text.starts_with(byte_order_mark)) text.remove_prefix(byte_order_mark.size());
   TextCursor in(text, source);
-  const Place place = in.here();
-  const std::string_view token = in.token("an isomorphism signature");
-  Document document;
-  try {
-    document.triangulation = from_signature(token);
-  } catch (const InputError& error) {
-    throw InputError(place, error.what());
+  if (in.at_end())
+    throw InputError(Place{source, 0}, "the text is empty, expected " + std::string(any_triangulation));
+  const std::optional<FileFormat> format = recognise(text, source);
+  if (!format && is_control(in.next_char()))
+    throw InputError(in.here(), "found a binary file (a byte of value " +
+                                    std::to_string(static_cast<int>(in.next_char())) + "), expected " +
+                                    std::string(any_triangulation));
+  if (!format) in.fail_at(in.peek(), any_triangulation);
+  switch (*format) {
+  case FileFormat::json:
+    return collection_of(read_json(text, source));
+  case FileFormat::snappea:
+    return collection_of(read_snappea(text, source));
+  case FileFormat::signature:
+    return read_signatures(text, source);
+  case FileFormat::fmp:
+    return read_records(text, source);
+  case FileFormat::regina:
+    return read_regina_packets(text, source);
+  case FileFormat::orb:
+    return collection_of(read_orb(text, source));
   }
-  if (!in.at_end()) in.fail_at(in.peek(), "nothing after the signature");
-  return document;
+  throw PreconditionError("no such file format");
 }
 
-Document read_single_fmp(std::string_view text, const std::string& source) {
-  const std::vector<FmpRecord> records = read_fmp(text, source);
-  if (records.size() != 1)
-    throw InputError(Place{source, 0},
-                     "found " + std::to_string(records.size()) + " census records, expected one");
-  return document_of(records.front());
+/// The first word of a text that is no comment; empty if there is none.
+std::string_view first_word(TextCursor& in) {
+  while (!in.at_end() && in.next_char() == '#') in.rest_of_line();
+  return in.at_end() ? in.peek() : in.token("");
 }
 
 } // namespace
@@ -105,45 +124,30 @@ std::optional<FileFormat> format_for_extension(std::string_view path) {
 }
 
 std::optional<FileFormat> recognise(std::string_view text, const std::string& source) {
-  if (text.substr(0, gzip_mark.size()) == gzip_mark) return FileFormat::regina;
+  if (text.starts_with(gzip_mark)) return FileFormat::regina;
   TextCursor in(text, source);
   if (in.at_end() || is_control(in.next_char())) return std::nullopt;
-  const std::string_view first = in.token("");
+  const std::string_view first = first_word(in);
+  if (first.empty()) return format_for_extension(source);
   if (first.front() == '{') return FileFormat::json;
   if (first.front() == '<') return FileFormat::regina;
   if (first.front() == '%') return in.peek() == "orb" ? FileFormat::orb : FileFormat::snappea;
   const std::optional<FileFormat> hint = format_for_extension(source);
   if (first.size() <= longest_count && is_digits(first)) return hint.value_or(FileFormat::fmp);
   if (in.at_end() || hint) return hint.value_or(FileFormat::signature);
-  return is_signature(first) ? std::optional(FileFormat::signature) : std::nullopt;
+  return is_signature_text(first) ? std::optional(FileFormat::signature) : std::nullopt;
+}
+
+Collection read_all(std::string_view text, const std::string& source) {
+  if (!text.starts_with(gzip_mark)) return read_plain(text, source);
+  const Inflated plain = inflate(text, most_inflated(text.size()), {source, 0});
+  Collection all = read_plain(plain.data, source);
+  all.passed_over.note("byte after the compressed data", static_cast<std::int64_t>(plain.left));
+  return all;
 }
 
 Document read_any(std::string_view text, const std::string& source) {
-  if (text.substr(0, byte_order_mark.size()) == byte_order_mark) text.remove_prefix(byte_order_mark.size());
-  TextCursor in(text, source);
-  if (in.at_end())
-    throw InputError(Place{source, 0}, "the text is empty, expected " + std::string(any_triangulation));
-  const std::optional<FileFormat> format = recognise(text, source);
-  if (!format && is_control(in.next_char()))
-    throw InputError(in.here(), "found a binary file (a byte of value " +
-                                    std::to_string(static_cast<int>(in.next_char())) + "), expected " +
-                                    std::string(any_triangulation));
-  if (!format) in.fail_at(in.peek(), any_triangulation);
-  switch (*format) {
-  case FileFormat::json:
-    return read_json(text, source);
-  case FileFormat::snappea:
-    return read_snappea(text, source);
-  case FileFormat::signature:
-    return read_signature(text, source);
-  case FileFormat::fmp:
-    return read_single_fmp(text, source);
-  case FileFormat::regina:
-    return read_regina(text, source);
-  case FileFormat::orb:
-    return read_orb(text, source);
-  }
-  throw PreconditionError("no such file format");
+  return the_only(read_all(text, source), source);
 }
 
 Document read_document(const std::string& path) {

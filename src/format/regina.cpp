@@ -5,9 +5,12 @@
 #include "inflate.hpp"
 #include "xml.hpp"
 
+#include "tetrarch/format/snappea.hpp"
 #include "tetrarch/format/text.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cstdint>
 
 namespace tetrarch::format {
 namespace {
@@ -37,57 +40,106 @@ std::optional<Perm4> perm_of_images(std::int64_t code) {
   return parse_perm(digits);
 }
 
-/// The places where 3-manifold triangulations stand: <tri dim="3"> or <tetrahedra>.
+/// How a kind of packet is called: in the third generation by its tag, in the second by its type.
+struct PacketKind {
+  Tag tag;
+  Tag type;
+  Tag what;
+};
+constexpr std::array packet_kinds{
+    PacketKind{"container", "Container", ""}, // holds other packets, and nothing else
+    PacketKind{"textdata", "Text", "text packet"},
+    PacketKind{"script", "Script", "script packet"},
+    PacketKind{"pdf", "PDF", "PDF packet"},
+    PacketKind{"attachment", "Attachment", "attachment packet"},
+    PacketKind{"surfaces", "Normal Surface List", "list of normal surfaces"},
+    PacketKind{"hypersurfaces", "Normal Hypersurface List", "list of normal hypersurfaces"},
+    PacketKind{"filtercomb", "Combination Surface Filter", "surface filter"},
+    PacketKind{"filterprop", "Property-Based Surface Filter", "surface filter"},
+    PacketKind{"filter", "Surface Filter", "surface filter"},
+    PacketKind{"angles", "Angle Structure List", "list of angle structures"},
+    PacketKind{"link", "Link", "link"},
+    PacketKind{"tri", "", "triangulation of another dimension"},
+};
+
+/// What the ledger calls a packet; empty for a container.
+std::string what_of(const pugi::xml_node& node) {
+  const bool typed = Tag(node.name()) == "packet";
+  const Tag name = typed ? node.attribute("type").value() : node.name();
+  if (typed && name.find("-Manifold Triangulation") != Tag::npos) return "triangulation of another dimension";
+  for (const PacketKind& kind : packet_kinds)
+    if (name == (typed ? kind.type : kind.tag)) return std::string(kind.what);
+  return clean_line(name) + " packet";
+}
+
+/// Sorts the packets of a file: those that hold a triangulation of a 3-manifold, and the others.
 class Finder : public pugi::xml_tree_walker {
 public:
   bool for_each(pugi::xml_node& node) override {
     const Tag name = node.name();
-    if (name == "tetrahedra" || (name == "tri" && Tag(node.attribute("dim").value()) == "3"))
+    const Tag above = node.parent().name();
+    const bool gluings = name == "tetrahedra" || (name == "tri" && Tag(node.attribute("dim").value()) == "3");
+    if (gluings || name == "snappea" || name == "snappeadata")
       found_.push_back(node);
+    else if (name == "packet" ? !node.child("tetrahedra") && !node.child("snappea")
+                              : !node.attribute("label").empty() && above != "packet")
+      others_.note(what_of(node), what_of(node).empty() ? 0 : 1);
     return true;
   }
   const std::vector<pugi::xml_node>& found() const { return found_; }
+  const Ledger& others() const { return others_; }
 
 private:
   std::vector<pugi::xml_node> found_;
+  Ledger others_;
 };
 
 class ReginaReader {
 public:
   ReginaReader(std::string_view text, std::string source) : text_(text), source_(std::move(source)) {}
 
-  Document read() const {
-    pugi::xml_document document = parse_xml(text_, source_);
+  Collection read() const {
+    pugi::xml_document document = parse_xml(text_, source_, pugi::encoding_auto);
     const Tag root = document.document_element().name();
     if (root != "regina" && root != "reginadata")
       throw InputError(Place{source_, 0}, found_expected(root, "regina or reginadata, a Regina data file"));
     Finder finder;
     document.traverse(finder);
-    if (finder.found().size() != 1) fail_count(finder.found());
-    const pugi::xml_node node = finder.found().front();
-    return document_of(triangulation(node), clean_line(label(node)));
+    Collection packets{{}, finder.others()};
+    packets.elements.reserve(finder.found().size());
+    for (const pugi::xml_node& node : finder.found()) packets.elements.push_back(element(node));
+    return packets;
   }
 
 private:
   Place place(const pugi::xml_node& node) const {
-    const auto offset =
-        std::clamp<std::ptrdiff_t>(node.offset_debug(), 0, static_cast<std::ptrdiff_t>(text_.size()));
-    return {source_, 1 + static_cast<int>(std::count(text_.begin(), text_.begin() + offset, '\n'))};
+    const std::ptrdiff_t offset = std::max<std::ptrdiff_t>(node.offset_debug(), 0);
+    return {source_, line_of(text_, static_cast<std::size_t>(offset))};
   }
 
-  static std::string label(const pugi::xml_node& node) {
-    const pugi::xml_node packet = Tag(node.name()) == "tri" ? node : node.parent();
-    return packet.attribute("label").value();
+  Element element(const pugi::xml_node& node) const {
+    const Tag tag = node.name();
+    const pugi::xml_node packet = tag == "tri" || tag == "snappeadata" ? node : node.parent();
+    Element element{clean_line(packet.attribute("label").value()), {}, {}};
+    try {
+      if (tag == "snappea" || tag == "snappeadata")
+        element.document = snappea(node, element.name);
+      else
+        element.document.triangulation = triangulation(node);
+      if (!element.name.empty()) element.document.name = element.name;
+    } catch (const InputError& e) {
+      element.error = e.what();
+    }
+    return element;
   }
 
-  [[noreturn]] void fail_count(const std::vector<pugi::xml_node>& found) const {
-    constexpr std::size_t listed = 5;
-    std::string what =
-        "found " + (found.empty() ? "no" : std::to_string(found.size())) + " triangulations of 3-manifolds";
-    for (std::size_t i = 0; i < std::min(found.size(), listed); ++i)
-      what += (i == 0 ? " (" : ", ") + in_quotes(label(found[i]));
-    if (!found.empty()) what += found.size() > listed ? ", ...)" : ")";
-    throw InputError(Place{source_, 0}, what + ", expected one");
+  /// A fault is placed twice: in the file, and in the packet, whose lines count from its own first one.
+  Document snappea(const pugi::xml_node& node, const std::string& label) const {
+    try {
+      return read_snappea(node.text().get(), "SnapPea packet " + in_quotes(label));
+    } catch (const InputError& e) {
+      throw InputError(place(node), e.what());
+    }
   }
 
   Triangulation triangulation(const pugi::xml_node& node) const {
@@ -139,10 +191,16 @@ private:
 
 } // namespace
 
+Collection read_regina_packets(std::string_view text, const std::string& source) {
+  if (!text.starts_with(gzip_mark)) return ReginaReader(text, source).read();
+  const Inflated plain = inflate(text, most_inflated(text.size()), {source, 0});
+  Collection packets = ReginaReader(plain.data, source).read();
+  packets.passed_over.note("byte after the compressed data", static_cast<std::int64_t>(plain.left));
+  return packets;
+}
+
 Document read_regina(std::string_view text, const std::string& source) {
-  if (text.substr(0, gzip_mark.size()) != gzip_mark) return ReginaReader(text, source).read();
-  const std::string plain = inflate(text, longest_file, {source, 0});
-  return ReginaReader(plain, source).read();
+  return the_only(read_regina_packets(text, source), source);
 }
 
 } // namespace tetrarch::format

@@ -7,60 +7,87 @@
 #include "tetrarch/format/text.hpp"
 
 #include <algorithm>
+#include <array>
 #include <limits>
+#include <span>
 
 namespace tetrarch::format {
 namespace {
 
 constexpr std::int64_t many = std::numeric_limits<int>::max();
 
-bool one_of(std::string_view token, std::initializer_list<std::string_view> words) {
+using Words = std::span<const std::string_view>;
+
+bool one_of(std::string_view token, Words words) {
   return std::find(words.begin(), words.end(), token) != words.end();
 }
 
 /// The token must be one of the words.
-std::string_view word(TextCursor& in, std::initializer_list<std::string_view> words,
-                      std::string_view expected) {
+std::string_view word(TextCursor& in, Words words, std::string_view expected) {
   const std::string_view token = in.token(expected);
   if (!one_of(token, words)) in.fail_at(token, expected);
   return token;
 }
 
+constexpr std::array<std::string_view, 8> solution_types{
+    "not_attempted",       "geometric_solution", "nongeometric_solution", "flat_solution",
+    "degenerate_solution", "other_solution",     "no_solution",           "externally_computed"};
+constexpr std::array<std::string_view, 3> orientabilities{"oriented_manifold", "nonorientable_manifold",
+                                                          "unknown_orientability"};
+constexpr std::array<std::string_view, 2> invariant_words{"CS_known", "CS_unknown"};
+constexpr std::array<std::string_view, 2> cusp_kinds{"torus", "Klein"};
+
+/// Whether a line is that after the name: a solution type and the volume.
+bool is_solution(std::string_view line) {
+  TextCursor in(line, "");
+  if (!one_of(in.peek(), solution_types)) return false;
+  in.token("");
+  return parse_double(in.peek()).has_value();
+}
+
+/// The line after the header. Some writers leave blank lines before it, and some leave it blank.
+std::string read_name(TextCursor& in) {
+  if (in.at_end()) return {};
+  TextCursor ahead = in;
+  if (is_solution(ahead.rest_of_line())) return {};
+  std::string name = clean_line(in.rest_of_line());
+  return name == snappea_no_name ? std::string() : name;
+}
+
 /// Everything between the name and the cusps: checked, and not kept.
 void skip_solution(TextCursor& in) {
-  word(in,
-       {"not_attempted", "geometric_solution", "nongeometric_solution", "flat_solution",
-        "degenerate_solution", "other_solution", "no_solution", "externally_computed"},
-       "a solution type such as not_attempted");
+  word(in, solution_types, "a solution type such as not_attempted");
   in.number("the volume", false);
-  word(in, {"oriented_manifold", "nonorientable_manifold", "unknown_orientability"},
-       "oriented_manifold, nonorientable_manifold or unknown_orientability");
-  if (word(in, {"CS_known", "CS_unknown"}, "CS_known or CS_unknown") == "CS_known")
+  word(in, orientabilities, "oriented_manifold, nonorientable_manifold or unknown_orientability");
+  if (word(in, invariant_words, "CS_known or CS_unknown") == "CS_known")
     in.number("the Chern-Simons invariant", false);
 }
 
-/// The cusps; returns how many there are. A filling leaves a warning.
-std::int64_t read_cusps(TextCursor& in, std::vector<std::string>& warnings) {
+/// The cusps; returns how many there are. Fillings are passed over.
+std::int64_t read_cusps(TextCursor& in, Ledger& passed_over) {
   const std::int64_t torus = in.integer("the number of torus cusps", 0, many);
   const std::int64_t klein = in.integer("the number of Klein bottle cusps", 0, many);
   for (std::int64_t c = 0; c < torus + klein; ++c) {
-    word(in, {"torus", "Klein"}, "torus or Klein, the kind of cusp " + std::to_string(c));
+    word(in, cusp_kinds, "torus or Klein, the kind of cusp " + std::to_string(c));
     const double m = in.number("the filling of cusp " + std::to_string(c) + ", two numbers");
     const double l = in.number("the filling of cusp " + std::to_string(c) + ", two numbers");
     if (m != 0 || l != 0)
-      warnings.push_back("the Dehn filling (" + to_text(m) + "," + to_text(l) + ") of cusp " +
-                         std::to_string(c) + " is not kept: the cusp is open here");
+      passed_over.note("Dehn filling (" + to_text(m) + "," + to_text(l) + ") of cusp " + std::to_string(c) +
+                       ", which is open here");
   }
   return torus + klein;
 }
 
-/// What follows the gluings of one tetrahedron: checked, and not kept.
-void skip_tetrahedron_data(TextCursor& in, std::int64_t cusps, const std::string& whose) {
+/// What follows the gluings of one tetrahedron: checked, and not kept. True if a peripheral curve crosses it.
+bool skip_tetrahedron_data(TextCursor& in, std::int64_t cusps, const std::string& whose) {
   // Where no cusp was stated, SnapPea finds them itself and the indices mean nothing.
   const std::int64_t last_cusp = cusps > 0 ? cusps - 1 : many;
+  bool crossed = false;
   for (int v = 0; v < 4; ++v) in.integer("a cusp index of " + whose, -1, last_cusp);
-  for (int k = 0; k < 64; ++k) in.integer("64 integers, the peripheral curves of " + whose, -many, many);
+  for (int k = 0; k < 64; ++k)
+    if (in.integer("64 integers, the peripheral curves of " + whose, -many, many) != 0) crossed = true;
   for (int k = 0; k < 2; ++k) in.number("the shape of " + whose + ", two numbers", false);
+  return crossed;
 }
 
 std::vector<std::string> warnings_about(const Skeleton& skeleton) {
@@ -112,16 +139,17 @@ Document read_snappea(std::string_view text, const std::string& source) {
   const std::string_view header = in.at_end() ? first : in.rest_of_line();
   if (header != snappea_header) in.fail_at(header, expected_header);
   Document document;
-  document.name = clean_line(in.rest_of_line());
-  if (document.name == snappea_no_name) document.name.clear();
+  document.name = read_name(in);
   skip_solution(in);
-  const std::int64_t cusps = read_cusps(in, document.warnings);
+  const std::int64_t cusps = read_cusps(in, document.passed_over);
   const std::int64_t tetrahedra = in.integer("the number of tetrahedra, at least 1", 1, many);
   GluingLines gluings(in);
+  bool has_curves = false;
   for (std::int64_t t = 0; t < tetrahedra; ++t) {
     gluings.read_one(tetrahedra);
-    skip_tetrahedron_data(in, cusps, "tetrahedron " + std::to_string(t));
+    if (skip_tetrahedron_data(in, cusps, "tetrahedron " + std::to_string(t))) has_curves = true;
   }
+  if (has_curves) document.passed_over.note("peripheral curve", 2 * cusps);
   if (!in.at_end()) in.fail_at(in.peek(), "the end after " + std::to_string(tetrahedra) + " tetrahedra");
   document.triangulation = gluings.checked();
   return document;

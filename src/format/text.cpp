@@ -55,6 +55,13 @@ std::string found_expected(std::string_view token, std::string_view expected) {
   return text;
 }
 
+int line_of(std::string_view text, std::size_t offset) {
+  int line = 1;
+  for (std::size_t k = 0; k < std::min(offset, text.size()); ++k)
+    line += text[k] == '\n' || (text[k] == '\r' && text.substr(k + 1, 1) != "\n") ? 1 : 0;
+  return line;
+}
+
 bool TextCursor::at_end() {
   while (at_ < text_.size() && is_space(text_[at_])) ++at_;
   return at_ == text_.size();
@@ -66,8 +73,7 @@ int TextCursor::line_at(std::size_t offset) const {
     offset = text_.size();
     while (offset > 0 && is_space(text_[offset - 1])) --offset;
   }
-  return 1 + static_cast<int>(
-                 std::count(text_.begin(), text_.begin() + static_cast<std::ptrdiff_t>(offset), '\n'));
+  return line_of(text_, offset);
 }
 
 int TextCursor::line() {
@@ -112,9 +118,9 @@ double TextCursor::number(std::string_view expected, bool finite) {
 }
 
 std::string_view TextCursor::rest_of_line() {
-  const std::size_t end = std::min(text_.find('\n', at_), text_.size());
+  const std::size_t end = std::min(text_.find_first_of("\r\n", at_), text_.size());
   const std::string_view rest = text_.substr(at_, end - at_);
-  at_ = std::min(end + 1, text_.size());
+  at_ = std::min(end + (text_.substr(end, 2) == "\r\n" ? 2 : 1), text_.size());
   return trimmed(rest);
 }
 

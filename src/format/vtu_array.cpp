@@ -96,7 +96,7 @@ std::string unpacked(const VtuStorage& storage, const pugi::xml_node& array, Byt
   std::string out;
   for (std::uint64_t b = 0; b < blocks; ++b) {
     const std::uint64_t wanted = b + 1 == blocks && last > 0 ? last : size;
-    const std::string block = inflate(bytes.take(packed[b]), longest_file, {storage.source, 0});
+    const std::string block = inflate(bytes.take(packed[b]), longest_file, {storage.source, 0}).data;
     if (block.size() != wanted || out.size() + wanted > longest_file)
       fail(storage, array, "has a block of another length than announced");
     out += block;

@@ -208,7 +208,9 @@ TEST_CASE("bad JSON groups are told by place and cause", "[bad][json][group]") {
   };
   CHECK(error_of([&] { read_group_json(good, "f"); }).empty());
   CHECK(said("\"generators\": 2", "\"generators\": -2") ==
-        "f:4: generators: found the number -2, expected the number of generators");
+        "f:4: generators: found the number -2, expected the number of generators, 0 to 4000000");
+  CHECK(said("\"generators\": 2", "\"generators\": 2147483647") ==
+        "f:4: generators: found the number 2147483647, expected the number of generators, 0 to 4000000");
   CHECK(said("\"generators\"", "\"letters\"") == "f:1: the member \"generators\" is missing");
   CHECK(said("\"relators\"", "\"words\"") == "f:1: the member \"relators\" is missing");
   const std::string wish = ", expected a letter, 1 to 2 or minus that";

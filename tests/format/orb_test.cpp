@@ -48,16 +48,15 @@ std::string complaint(const std::string& text) {
 TEST_CASE("an Orb file is read", "[orb]") {
   const Document document = read_any(figure_eight, "f");
   CHECK(document.name == "8knot");
-  CHECK(document.warnings.empty());
+  CHECK(document.passed_over.empty());
   // Orb's file is of the figure-eight knot's complement, and so is this signature (Regina's census, m004).
   CHECK(find_isomorphism(document.triangulation, from_signature("cPcbbbiht")));
 }
 
 TEST_CASE("an Orb file of a graph's complement is read", "[orb]") {
   const Document document = read_any(graph, "f");
-  CHECK(document.warnings ==
-        std::vector<std::string>{
-            "the singular orders of 3 edges were dropped: this is the underlying manifold"});
+  CHECK(document.passed_over.sentence() ==
+        "passed over: singular order of an edge, of which the underlying manifold has none (3)");
   // The second route: the degrees of the file's edges are those of the skeleton.
   const Skeleton skeleton(document.triangulation);
   CHECK(skeleton.is_orientable());

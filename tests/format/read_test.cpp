@@ -115,7 +115,10 @@ TEST_CASE("bad input gets one line that names place and cause", "[bad][read]") {
   CHECK(complaint("\ncPcbb!ihq") ==
         "f:2: signature 'cPcbb!ihq' has '!' at position 6, which is no signature letter");
   CHECK(complaint("cPcbbbi").substr(0, 24) == "f:1: signature 'cPcbbbi'");
-  CHECK(complaint("cPcbbbihq\ncPcbbbiht") == "f:2: found 'cPcbbbiht', expected nothing after the signature");
+  CHECK(complaint("cPcbbbihq cPcbbbiht") == "f:1: found 'cPcbbbiht', expected one signature a line");
+  CHECK(
+      complaint("cPcbbbihq\ncPcbbbiht") ==
+      "f: found 2 triangulations of 3-manifolds, expected one: say which by FILE#1 or FILE#NAME, or FILE#*");
   CHECK(complaint("3") == "f:1: the text ends, expected a neighbour of tetrahedron 0, 0 to 2");
   CHECK(complaint("3", "f.sig").substr(0, 18) == "f.sig:1: signature");
   CHECK(complaint("% Triangulation\nname\nnot_attempted") == "f:3: the text ends, expected the volume");

@@ -7,6 +7,7 @@
 /// and writing. Only the JSON format holds all of it; the others drop what they have no place for.
 
 #include "tetrarch/core/triangulation.hpp"
+#include "tetrarch/format/ledger.hpp"
 
 #include <array>
 #include <nlohmann/json.hpp>
@@ -98,7 +99,8 @@ struct Document {
   /// The object as it was read, for its unknown members and their order; null if it was not read. The members
   /// known above are written from above, whatever stands here.
   Json members;
-  /// What a reader dropped that changes the meaning, as sentences; writers ignore it.
+  /// What the read left out, and what else its reader had to say, as sentences; writers ignore both.
+  Ledger passed_over;
   std::vector<std::string> warnings;
 };
 

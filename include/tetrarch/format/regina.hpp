@@ -15,18 +15,23 @@
 /// Per tetrahedron and face 0 to 3: the neighbour (-1 on the boundary) and the gluing. Left, that is the
 /// images of 0 to 3 in two bits each, from the lowest on; right, Regina's number of the permutation, which is
 /// the rank (core/perm4.hpp) where that has the parity of the permutation, else the rank with its last bit
-/// turned. Packets of other kinds are passed over, also SnapPea triangulations that Regina keeps as such.
-/// Found by looking at what Regina 7.3 writes, and at its documentation of `Perm<4>::S4`.
+/// turned. SnapPea triangulations that Regina keeps as such are SnapPea files (format/snappea.hpp) inside of
+/// <snappea> (left) or <snappeadata label="..."> (right). Packets of other kinds are passed over, by kind.
+/// Found by looking at what Regina 7.3 writes and ships, and at its documentation of `Perm<4>::S4`.
 
-#include "tetrarch/format/document.hpp"
+#include "tetrarch/format/collection.hpp"
 
 #include <string>
 #include <string_view>
 
 namespace tetrarch::format {
 
-/// The one triangulation in the file, by its label. Throws InputError if there is none or there are several
-/// (naming them), and for damaged or contradicting data. O(length).
+/// All triangulations of 3-manifolds in the file, by their labels, in its order. Of a gzip file all members
+/// are read. Throws InputError where the text is no Regina file or packs far more than a text can; what is
+/// wrong with one triangulation is told by its element. O(length).
+Collection read_regina_packets(std::string_view text, const std::string& source);
+
+/// The one triangulation in the file. Throws InputError also if there is none or there are several.
 Document read_regina(std::string_view text, const std::string& source);
 
 } // namespace tetrarch::format

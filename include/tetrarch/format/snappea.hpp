@@ -19,7 +19,8 @@
 ///
 /// Faces, vertices and permutations mean what they mean here. (SnapPea's edge e is our 5 - e, but no edge
 /// number stands in the file.) Solution, volume, orientability, invariant and shapes are for people: SnapPea
-/// computes them anew, and so they are checked and dropped. White space is free after the second line.
+/// computes them anew, and so they are checked and dropped. White space is free after the second line; blank
+/// lines before the name, and a blank one in its place, are read as well.
 /// Source: Weeks, "SnapPea Triangulation File Format" (1997), an annotated example.
 
 #include "tetrarch/format/document.hpp"
@@ -33,9 +34,9 @@ inline constexpr std::string_view snappea_header = "% Triangulation";
 /// Stands for no name, as SnapPea cannot read an empty one.
 inline constexpr std::string_view snappea_no_name = "unnamed";
 
-/// The gluings and the name. Peripheral curves are dropped; a Dehn filling is dropped with a warning, for the
-/// document then is the unfilled manifold. Throws InputError with the line where the text ends too early, is
-/// not as above, goes on after the last tetrahedron, or states gluings that cannot be. O(length).
+/// The gluings and the name. Peripheral curves and Dehn fillings are passed over; the document is the
+/// unfilled manifold. Throws InputError with the line where the text ends too early, is not as above, goes on
+/// after the last tetrahedron, or states gluings that cannot be. O(length).
 Document read_snappea(std::string_view text, const std::string& source);
 
 /// The text, not solved, with no cusp stated: SnapPea finds them and chooses peripheral curves. Warns about

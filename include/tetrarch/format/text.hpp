@@ -27,6 +27,10 @@ constexpr bool is_space(char c) {
 /// `text` without white space at either end. O(length).
 std::string_view trimmed(std::string_view text);
 
+/// The 1-based line of `text` that the byte `offset` stands on. Lines end as anywhere: by a line feed, a
+/// carriage return, or both. O(offset).
+int line_of(std::string_view text, std::size_t offset);
+
 /// A view of some text, which must outlive the cursor. Every reading function is linear in what it passes
 /// over.
 class TextCursor {
