@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "tetrarch/census/identify.hpp"
 
+#include "famous.hpp"
 #include "tetrarch/canonical/canonize.hpp"
 #include "tetrarch/census/recognise.hpp"
 #include "tetrarch/core/boundary.hpp"
@@ -22,24 +23,12 @@ struct Known {
   std::optional<Manifold> manifold;
 };
 
-/// Cusped manifolds that topologists know by name, by isometry signature. (The tests compute these anew, from
-/// other triangulations.)
-constexpr std::array<std::array<const char*, 2>, 6> famous{{
-    {"bkaaid", "Gieseking manifold (m000)"},
-    {"cPcbbbdxm", "figure-eight sister (m003)"},
-    {"cPcbbbiht", "figure-eight knot complement (m004)"},
-    {"eLPkbcdddhggcv", "5_2 knot complement (m015)"},
-    {"eLPkbdcddhgggb", "Whitehead link complement (m129)"},
-    {"WvLvvMvzAzwvAwAQzvPPAQvQMPMMMMQPQdglliqqtxwoyBytADHGwzGzBJEK"
-     "LMIIGJJMOSNSOUQRUVTVVUoaaooaaaaaooaooaaaaooaoaaoooaoooooaaaaooaooaaaaoo",
-     "Borromean rings complement"},
-}};
-
 /// By isometry signature. Built at the first call, which other threads wait for.
 const std::unordered_map<std::string, Known>& known_manifolds() {
   static const auto known = [] {
     std::unordered_map<std::string, Known> all;
-    for (const auto& [isometry_signature, name] : famous) all.emplace(isometry_signature, Known{name, {}});
+    for (const detail::Famous& f : detail::famous)
+      all.emplace(f.isometry_signature, Known{std::string(f.name), {}});
     for (const int n : stored_tables())
       for (Manifold& m : stored_table(n)) {
         std::string key = m.canonical_signature;
@@ -136,7 +125,7 @@ private:
     if (entry == known_manifolds().end()) {
       say("isometry signature " + isometry_signature + " is in no table: volume " +
           volume_text(*out_.volume) + ", tables hold manifolds with geodesic boundary of up to " +
-          tetrahedra(largest_table()) + " and " + std::to_string(famous.size()) + " cusped ones");
+          tetrahedra(largest_table()) + " and " + std::to_string(detail::famous.size()) + " cusped ones");
     } else {
       out_.by = By::isometry_signature;
       out_.name = entry->second.name;
