@@ -8,9 +8,11 @@
 #include "value.hpp"
 
 #include "tetrarch/core/progress.hpp"
+#include "tetrarch/format/ledger.hpp"
 
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -47,10 +49,18 @@ struct Common {
   int threads = 1;
 };
 
+/// What a command has read so far.
+struct Reads {
+  bool any = false;
+  format::Ledger passed_over;
+};
+
 /// What every command is given besides its own options.
 struct Context : Common {
   Progress progress;
   const Values* values = nullptr; ///< what names mean; null outside a session
+  /// Whoever reads an input notes here what was passed over; it is printed with the result.
+  std::shared_ptr<Reads> reads = std::make_shared<Reads>();
 };
 
 using Run = std::function<Result(const Context&)>;

@@ -50,6 +50,15 @@ Json group_json(const algebra::Presentation& group) {
   return json;
 }
 
+/// A presentation that a person can read, else its size.
+std::string group_text(const algebra::Presentation& group) {
+  constexpr std::size_t longest = 400;
+  std::string text = group.str();
+  if (text.size() <= longest) return text;
+  return counted(group.generators, "generator") + ", " +
+         counted(static_cast<long long>(group.relators.size()), "relator") + "; 'group' prints them";
+}
+
 } // namespace
 
 Info info_of(const Triangulation& tri, const std::string& name, const Progress& progress, bool brief) {
@@ -57,10 +66,12 @@ Info info_of(const Triangulation& tri, const std::string& name, const Progress& 
   const std::vector<Defect> defects = check(skeleton);
   const auto boundary = boundary_components(tri, skeleton);
   const bool valid = defects.empty();
-  const bool has_group = !brief && valid && tri.size() > 0 && skeleton.is_connected();
+  const bool has_groups = !brief && valid && tri.size() > 0;
   const std::string homology = valid ? algebra::homology(tri, skeleton, 1).str() : "";
-  algebra::Presentation group;
-  if (has_group) group = simplified(algebra::dual_presentation(tri, skeleton).presentation, {}, progress);
+  std::vector<algebra::Presentation> groups; // of the components
+  if (has_groups)
+    for (const LocatedGroup& located : fundamental_groups(tri, false, progress))
+      groups.push_back(presentation_of(located.group));
   const std::string sig = brief ? "" : signature(tri);
 
   Info out;
@@ -77,7 +88,9 @@ Info info_of(const Triangulation& tri, const std::string& name, const Progress& 
   j["signature"] = brief ? Json() : Json(sig);
   j["homology"] = valid ? Json(homology) : Json();
   j["boundary"] = boundary_json(boundary);
-  j["group"] = has_group ? group_json(group) : Json();
+  j["group"] = groups.size() == 1 ? group_json(groups.front()) : Json();
+  if (groups.size() > 1)
+    for (const algebra::Presentation& group : groups) j["groups"].push_back(group_json(group));
 
   auto& rows = out.rows;
   if (!name.empty()) rows.emplace_back("name", name);
@@ -91,7 +104,8 @@ Info info_of(const Triangulation& tri, const std::string& name, const Progress& 
   if (!skeleton.is_connected()) rows.emplace_back("components", std::to_string(skeleton.component_count()));
   rows.emplace_back("boundary", boundary_text(boundary));
   if (valid) rows.emplace_back("homology", homology);
-  if (has_group) rows.emplace_back("group", group.str());
+  for (std::size_t k = 0; k < groups.size(); ++k)
+    rows.emplace_back(groups.size() == 1 ? "group" : "group " + std::to_string(k + 1), group_text(groups[k]));
   if (!brief) rows.emplace_back("signature", sig);
   return out;
 }

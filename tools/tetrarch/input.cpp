@@ -1,20 +1,23 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "input.hpp"
 
+#include "element.hpp"
+#include "nearest.hpp"
+
 #include "tetrarch/algebra/group_text.hpp"
-#include "tetrarch/census/manifold.hpp"
+#include "tetrarch/census/names.hpp"
 #include "tetrarch/core/check.hpp"
 #include "tetrarch/core/signature.hpp"
 #include "tetrarch/format/group_json.hpp"
 #include "tetrarch/format/mesh_files.hpp"
 #include "tetrarch/format/mesh_json.hpp"
 #include "tetrarch/format/read.hpp"
+#include "tetrarch/format/signature_text.hpp"
 #include "tetrarch/format/text.hpp"
 #include "tetrarch/mesh/fill.hpp"
 #include "tetrarch/mesh/repair.hpp"
 #include "tetrarch/mesh/tet_mesh.hpp"
 
-#include <filesystem>
 #include <optional>
 
 namespace tetrarch::program {
@@ -63,11 +66,6 @@ const Value* value_named(const std::string& name, const Context& context) {
   throw InputError(name + " is a " + kind_of(value) + " (expected " + expected + ")");
 }
 
-bool is_file(const std::string& argument) {
-  std::error_code ignored;
-  return argument == "-" || std::filesystem::exists(argument, ignored);
-}
-
 bool is_json(const std::string& argument) {
   return argument.starts_with('{');
 }
@@ -82,22 +80,56 @@ format::GroupDocument group_document(algebra::Presentation group, std::string na
   return {group.generators, std::move(group.relators), std::move(name), {}, {}};
 }
 
+/// Notes what the read of an input passed over.
+format::Document noted(format::Document document, const Context& context) {
+  context.reads->passed_over.add(document.passed_over);
+  return document;
+}
+
+/// The manifold of a name, "m004", or of a name with Dehn fillings, "m004(1,2)", which are passed over.
+std::optional<format::Document> named_manifold(const std::string& argument) {
+  std::optional<census::Named> named = census::find_named(argument);
+  format::Ledger fillings;
+  if (!named) named = census::find_named(std::string(format::without_fillings(argument, fillings)));
+  if (!named) return std::nullopt;
+  format::Document document = format::document_of(std::move(named->triangulation), named->name);
+  document.passed_over = fillings;
+  return document;
+}
+
+/// Whether what is wrong with the argument should be told as of a signature. Short words of letters are names
+/// that are not known.
+bool is_meant_as_signature(const std::string& argument) {
+  constexpr std::size_t shortest = 7; // of two tetrahedra and no boundary: nine letters
+  return argument.size() >= shortest &&
+         looks_like_signature(argument.substr(0, argument.find_first_of("_(")));
+}
+
 /// A triangulation that is written out in the argument itself.
 format::Document spelled_out(const std::string& argument) {
   if (is_json(argument)) return format::read_any(argument, given_json);
-  if (argument.starts_with("fmp")) {
-    if (const auto manifold = census::find_by_name(argument))
-      return format::document_of(from_signature(manifold->signature), manifold->name);
-    throw InputError("no census manifold is called " + in_quotes(argument) +
-                     " (expected fmp2_1 ... fmp2_8 or fmp3_1 ... fmp3_151)");
-  }
+  if (std::optional<format::Document> named = named_manifold(argument)) return std::move(*named);
+  const std::string near = near_names(argument, census::listed_names());
+  std::string why;
   try {
-    if (looks_like_signature(argument)) return format::document_of(from_signature(argument));
+    return format::read_signature_text(argument);
   } catch (const InputError& e) {
-    throw InputError(in_quotes(argument) + " is no file and no census name; as a signature: " + e.what());
+    if (near.empty() && is_meant_as_signature(argument)) why = std::string("; as a signature: ") + e.what();
   }
-  throw InputError(in_quotes(argument) +
-                   " is no file, and neither a census name nor an isomorphism signature");
+  throw InputError(in_quotes(argument) + " is no file, no name of a manifold and no isomorphism signature" +
+                   near + why);
+}
+
+/// The triangulation that stands in the argument, or that it chooses in a file; not a file as a whole.
+format::Document given_document(const std::string& argument) {
+  if (const std::optional<FileElement> found = file_element(argument))
+    return chosen(read_collection(found->path), found->element, argument);
+  return spelled_out(argument);
+}
+
+/// The argument as it was typed: `shielded` put a blank before it.
+std::string bared(const std::string& argument) {
+  return argument.starts_with(" -") ? argument.substr(1) : argument;
 }
 
 /// The mesh in a file, or nothing if something else is in it, which is then `text`.
@@ -130,17 +162,20 @@ format::Document triangulation_of(const std::string& name, const Value& value, c
 }
 
 format::Document read_triangulation(const std::string& argument, const Context& context, bool repair) {
-  if (const Value* value = value_named(argument, context))
-    return triangulation_of(argument, *value, context, repair);
-  if (!is_file(argument)) return spelled_out(argument);
+  const std::string given = bared(argument);
+  context.reads->any = true;
+  if (const Value* value = value_named(given, context))
+    return triangulation_of(given, *value, context, repair);
+  if (!is_file(given)) return noted(given_document(given), context);
   std::string text;
-  std::optional<format::MeshDocument> mesh = mesh_in(argument, text);
-  if (!mesh) return format::read_any(text, format::source_name(argument));
+  std::optional<format::MeshDocument> mesh = mesh_in(given, text);
+  if (!mesh) return noted(format::read_any(text, format::source_name(given)), context);
   text = std::string();
   return triangulation_of(std::move(mesh->soup), context, repair);
 }
 
 format::Soup read_soup(const std::string& argument, const Context& context) {
+  context.reads->any = true;
   if (const Value* value = value_named(argument, context)) {
     if (const auto* mesh = std::get_if<format::MeshDocument>(value)) return mesh->soup;
     refuse(argument, *value, "a mesh: it has no coordinates");
@@ -152,19 +187,41 @@ format::Soup read_soup(const std::string& argument, const Context& context) {
   return format::read_soup_file(argument);
 }
 
-format::GroupDocument read_group(const std::string& argument, const Context& context, bool as_given) {
+std::vector<LocatedGroup> read_groups(const std::string& argument, const Context& context, bool as_given) {
   const ValuePointer value = read_value(argument, context);
-  format::GroupDocument group;
   if (const auto* held = std::get_if<format::GroupDocument>(value.get())) {
-    group = *held;
-  } else {
-    const format::Document document = triangulation_of(argument, *value, context);
-    require_manifold(document.triangulation, argument);
-    const Skeleton skeleton(document.triangulation);
-    group = group_document(algebra::dual_presentation(document.triangulation, skeleton).presentation);
+    if (as_given) return {{*held, {}}};
+    return {{group_document(simplified(presentation_of(*held), {}, context.progress), held->name), {}}};
   }
-  return as_given ? group
-                  : group_document(simplified(presentation_of(group), {}, context.progress), group.name);
+  const format::Document document = triangulation_of(argument, *value, context);
+  require_manifolds(document.triangulation, argument);
+  return fundamental_groups(document.triangulation, as_given, context.progress);
+}
+
+std::vector<LocatedGroup> fundamental_groups(const Triangulation& tri, bool as_read,
+                                             const Progress& progress) {
+  const Components parts = components(tri);
+  std::vector<std::vector<int>> tetrahedra(static_cast<std::size_t>(parts.count)); // of each, their numbers
+  for (int t = 0; t < tri.size(); ++t) tetrahedra[parts.of[t]].push_back(t);
+  std::vector<LocatedGroup> groups;
+  for (const Triangulation& part : split(tri, parts)) {
+    const algebra::DualPresentation dual = algebra::dual_presentation(part, Skeleton(part));
+    const std::vector<int>& number = tetrahedra[groups.size()];
+    LocatedGroup located;
+    const auto add_face = [&](std::size_t g) {
+      located.faces.push_back({number[dual.generator_face[g].tet], dual.generator_face[g].face});
+    };
+    if (as_read) {
+      for (std::size_t g = 0; g < dual.generator_face.size(); ++g) add_face(g);
+      located.group = group_document(dual.presentation);
+    } else {
+      algebra::Kept kept = simplified_keeping(dual.presentation, {}, progress);
+      for (const int g : kept.generator) add_face(static_cast<std::size_t>(g));
+      located.group = group_document(std::move(kept.presentation));
+    }
+    groups.push_back(std::move(located));
+  }
+  return groups;
 }
 
 algebra::Presentation presentation_of(const format::GroupDocument& group) {
@@ -172,26 +229,48 @@ algebra::Presentation presentation_of(const format::GroupDocument& group) {
 }
 
 ValuePointer read_value(const std::string& argument, const Context& context) {
+  const std::string given = bared(argument);
+  context.reads->any = true;
   if (context.values != nullptr)
-    if (const auto found = context.values->find(argument); found != context.values->end())
-      return found->second;
-  if (is_group(argument)) return std::make_shared<Value>(value_in(argument, given_group));
-  if (is_json(argument)) return std::make_shared<Value>(value_in(argument, given_json));
-  if (!is_file(argument)) return std::make_shared<Value>(spelled_out(argument));
+    if (const auto found = context.values->find(given); found != context.values->end()) return found->second;
+  const auto made = [&context](Value value) {
+    if (const auto* document = std::get_if<format::Document>(&value))
+      context.reads->passed_over.add(document->passed_over);
+    return std::make_shared<Value>(std::move(value));
+  };
+  if (is_group(given)) return made(value_in(given, given_group));
+  if (is_json(given)) return made(value_in(given, given_json));
+  if (!is_file(given)) return made(given_document(given));
   std::string text;
-  if (std::optional<format::MeshDocument> mesh = mesh_in(argument, text))
-    return std::make_shared<Value>(std::move(*mesh));
-  return std::make_shared<Value>(value_in(text, format::source_name(argument)));
+  if (std::optional<format::MeshDocument> mesh = mesh_in(given, text)) return made(std::move(*mesh));
+  return made(value_in(text, format::source_name(given)));
 }
 
-void require_manifold(const Triangulation& tri, const std::string& source) {
+bool is_signature_with_dash(const std::string& word) {
+  constexpr int least = 63; // "-ba" says that there are none
+  if (!word.starts_with('-')) return false;
+  try {
+    return format::read_signature_text(word).triangulation.size() >= least;
+  } catch (const InputError&) {
+    return false;
+  }
+}
+
+std::string shielded(const std::string& word) {
+  return is_signature_with_dash(word) || word.starts_with("-#") ? " " + word : word;
+}
+
+void require_manifolds(const Triangulation& tri, const std::string& source) {
   if (tri.size() == 0) throw InputError({source, 0}, "there are no tetrahedra");
   const Skeleton skeleton(tri);
   const auto defects = check(skeleton);
   if (!defects.empty()) throw InputError({source, 0}, describe(defects.front(), skeleton));
-  if (!skeleton.is_connected())
-    throw InputError({source, 0}, "there are " + std::to_string(skeleton.component_count()) +
-                                      " components (expected one)");
+}
+
+void require_manifold(const Triangulation& tri, const std::string& source) {
+  require_manifolds(tri, source);
+  if (const int parts = components(tri).count; parts != 1)
+    throw InputError({source, 0}, "there are " + std::to_string(parts) + " components (expected one)");
 }
 
 } // namespace tetrarch::program

@@ -69,22 +69,50 @@ InterruptWatch& interrupts() {
   return watch;
 }
 
-/// One file cannot hold two results.
-void require_different(const std::vector<Result::File>& files) {
-  std::set<std::filesystem::path> paths;
+/// One file cannot hold two results. `paths` are those of earlier ones, to which these are added.
+void require_different(const std::vector<Result::File>& files, std::set<std::filesystem::path>& paths) {
   for (const Result::File& file : files)
     if (!paths.insert(std::filesystem::weakly_canonical(std::filesystem::absolute(file.path))).second)
       throw InputError({file.path, 0}, "two results are to be written to this file; nothing was");
 }
 
-void deliver(const Result& result, const Common& common, const std::string& speaker) {
-  require_different(result.files);
+Json ledger_json(const format::Ledger& ledger) {
+  Json list = Json::array();
+  for (const format::Ledger::Entry& e : ledger.entries())
+    list.push_back({{"what", e.what}, {"count", e.count}});
+  return list;
+}
+
+/// Adds to the result what was passed over by those who read for it.
+void tell_reads(Result& result, const Reads& reads) {
+  if (!reads.any) return;
+  if (!reads.passed_over.empty())
+    result.warnings.insert(result.warnings.begin(), reads.passed_over.sentence());
+  if (result.json.is_object()) result.json["passed_over"] = ledger_json(reads.passed_over);
+}
+
+/// Adds whose result it is.
+void tell_input(Result& result, const Share& share) {
+  for (std::string& warning : result.warnings) warning.insert(0, share.input + ": ");
+  if (result.json.is_object()) {
+    Json named{{"input", share.input}};
+    if (!share.name.empty()) named["name"] = share.name;
+    named.update(result.json);
+    result.json = std::move(named);
+  }
+  result.text = share.input + (share.name.empty() ? "" : "  " + share.name) + "\n" + result.text + "\n";
+}
+
+void deliver(const Result& result, const Common& common, const std::string& speaker, Share* share) {
+  std::set<std::filesystem::path> paths;
+  require_different(result.files, share == nullptr ? paths : share->written);
   for (const Result::File& file : result.files) format::write_file_atomically(file.path, file.content);
   if (!common.quiet)
     for (const std::string& warning : result.warnings)
       std::cerr << speaker << ": warning: " << warning << '\n';
   if (common.json && !result.json.is_null())
-    std::cout << result.json.dump(2) << '\n';
+    std::cout << result.json.dump(share == nullptr ? 2 : -1, ' ', false, Json::error_handler_t::replace)
+              << '\n';
   else
     std::cout << result.text;
   std::cout.flush();
@@ -103,17 +131,21 @@ Status complain(const std::string& speaker, const std::string& message, Status s
   return status;
 }
 
-Done run_job(const Job& job, const Values* values, const std::string& speaker) {
+Done run_job(const Job& job, const Values* values, const std::string& speaker, Share* share) {
   const Common& common = job.common;
-  const auto failed = [&speaker](const std::string& message, Status status) {
-    return Done{complain(speaker, message, status), nullptr};
+  const auto failed = [&speaker, share](const std::string& message, Status status) {
+    const bool says_whose = share == nullptr || message.starts_with(share->input);
+    return Done{complain(speaker, says_whose ? message : share->input + ": " + message, status), nullptr};
   };
   const ProgressBar bar(!common.quiet);
   try {
     const Context context{common, Progress(bar.report(), interrupts().token()), values};
+    if (share != nullptr) context.reads->passed_over.add(share->passed_over);
     Result result = job.run(context);
     bar.clear();
-    deliver(result, common, speaker);
+    tell_reads(result, *context.reads);
+    if (share != nullptr) tell_input(result, *share);
+    deliver(result, common, speaker, share);
     return {result.status, std::move(result.value)};
   } catch (const Stopped&) {
     bar.clear();

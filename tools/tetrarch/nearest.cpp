@@ -41,6 +41,21 @@ std::string nearest(std::string_view word, const std::vector<std::string>& candi
   return best;
 }
 
+std::string near_names(std::string_view word, const std::vector<std::string>& candidates) {
+  constexpr std::size_t most = 3;
+  std::vector<std::pair<std::size_t, const std::string*>> near;
+  for (const std::string& candidate : candidates) {
+    const bool begins = word.size() > 1 && candidate.starts_with(word);
+    const std::size_t d = begins ? 1 : distance(word, candidate);
+    if (d <= std::max<std::size_t>(1, word.size() / 3)) near.emplace_back(d, &candidate);
+  }
+  std::stable_sort(near.begin(), near.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  std::string text;
+  for (std::size_t k = 0; k < std::min(near.size(), most); ++k)
+    text += (k == 0 ? " (near names: '" : ", '") + *near[k].second + "'";
+  return text.empty() ? text : text + ")";
+}
+
 std::string did_you_mean(std::string_view word, const std::vector<std::string>& candidates) {
   const std::string near = nearest(word, candidates);
   return near.empty() ? "" : " (did you mean '" + near + "'?)";

@@ -11,6 +11,10 @@ namespace tetrarch::program {
 /// O(length of the word times that of all candidates).
 std::string nearest(std::string_view word, const std::vector<std::string>& candidates);
 
+/// " (near names: 'm003', 'm004')": up to three, the nearest first; or nothing. The beginning of a name is
+/// near to it. The same cost.
+std::string near_names(std::string_view word, const std::vector<std::string>& candidates);
+
 /// " (did you mean 'info'?)", or nothing.
 std::string did_you_mean(std::string_view word, const std::vector<std::string>& candidates);
 

@@ -2,6 +2,7 @@
 #include "parse.hpp"
 
 #include "describe.hpp"
+#include "input.hpp"
 #include "nearest.hpp"
 #include "version.hpp"
 
@@ -9,6 +10,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <iterator>
 #include <memory>
 #include <sstream>
 #include <thread>
@@ -40,9 +42,9 @@ CLI::App& subcommand(CLI::App& app, const Command& command) {
   return *parent->add_subcommand(name.substr(space + 1), command.summary);
 }
 
-/// An option as it is typed: no number.
+/// An option as it is typed: no number and no signature.
 bool looks_like_option(const std::string& word) {
-  if (word.size() < 2 || word[0] != '-') return false;
+  if (word.size() < 2 || word[0] != '-' || shielded(word) != word) return false;
   const char second = word[1];
   return second != '.' && !(second >= '0' && second <= '9');
 }
@@ -101,8 +103,10 @@ Parsed parse(const std::vector<std::string>& words, const std::vector<Command>& 
   const Named command = named_command(line->app, words);
   require_known_options(command, words);
   try {
-    line->app.parse(std::vector<std::string>(words.rbegin(), words.rend())); // taken from the back
-  } catch (const CLI::Success& e) {                                          // help or version
+    std::vector<std::string> reversed; // words are taken from the back
+    std::transform(words.rbegin(), words.rend(), std::back_inserter(reversed), shielded);
+    line->app.parse(std::move(reversed));
+  } catch (const CLI::Success& e) { // help or version
     std::ostringstream text;
     line->app.exit(e, text, text);
     return {std::nullopt, text.str()};

@@ -77,7 +77,7 @@ Job prepare(const Options& options, const Context& context) {
   if (!options.output.empty()) output_format(options.output);
   require_folder(options.log);
   Job run{read_triangulation(options.input, context, options.repair), {}, {}};
-  require_manifold(run.input.triangulation, options.input);
+  require_manifolds(run.input.triangulation, options.input);
   run.simplify.seed = context.seed;
   if (options.audit) run.simplify.audit = auditor(run.input.triangulation);
   return run;
@@ -127,6 +127,7 @@ Json boundary_map(const moves::Truncation& made) {
 
 Result truncate(const Options& options, const Context& context) {
   Job run = prepare(options, context);
+  require_manifold(run.input.triangulation, options.input);
   if (!options.log.empty()) run.simplify.log = &run.log;
   moves::TruncateOptions how;
   how.keep_spheres = options.keep_spheres;

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+/// One of the triangulations in a file that holds several.
+///
+///     knots.rga#3          the third, counted from 1
+///     knots.rga#fig8       the one called fig8
+///     knots.rga#*          all: the command runs once for each (mapping.hpp)
+
+#include "tetrarch/format/collection.hpp"
+
+#include <optional>
+#include <string>
+
+namespace tetrarch::program {
+
+/// Whether the argument is "-" or names what exists in the file system.
+bool is_file(const std::string& argument);
+
+struct FileElement {
+  std::string path;
+  std::string element; ///< "3", "fig8", "*"
+};
+
+/// What stands before and after the first # before which a file is named. Nothing if there is none such, or
+/// if the whole argument is a file's name.
+std::optional<FileElement> file_element(const std::string& argument);
+
+/// All triangulations of a file. Throws InputError as `format::read_all`.
+format::Collection read_collection(const std::string& path);
+
+/// The element that is meant: its number, else its name, else the only name that begins so. The ledger of the
+/// file is added to its own. Throws InputError that names `argument` if there is none or no telling which.
+format::Document chosen(format::Collection collection, const std::string& element,
+                        const std::string& argument);
+
+} // namespace tetrarch::program
