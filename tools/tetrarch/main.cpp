@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "command.hpp"
 #include "job.hpp"
+#include "mapping.hpp"
 #include "parse.hpp"
 
 #include "tetrarch/core/error.hpp"
@@ -15,6 +16,8 @@ using namespace tetrarch::program;
 constexpr const char* program_name = "tetrarch";
 
 Status parse_and_run(const std::vector<std::string>& words) {
+  if (std::optional<Mapping> mapping = mapping_in(words))
+    return run_mapping(std::move(*mapping), commands(), program_name, usual_options(), nullptr, program_name);
   const Parsed parsed = parse(words, commands(), program_name, usual_options());
   if (parsed.job) return run_job(*parsed.job, nullptr, program_name).status;
   std::cout << parsed.text << std::flush;

@@ -108,9 +108,11 @@ Status Session::run(std::string_view line, const std::string& speaker) {
 
 Status Session::execute(const Statement& statement, const std::string& speaker) {
   std::vector<std::string> words = statement.words;
-  if (words.size() == 1 && !is_verb(words[0]) && !words[0].starts_with("-")) {
+  if (std::optional<Mapping> mapping = mapping_in(words))
+    return execute(std::move(*mapping), statement, speaker);
+  if (words.size() == 1 && !is_verb(words[0]) && shielded(words[0]).front() != '-') {
     if (!statement.name.empty()) {
-      name_what_is_given(statement);
+      name_what_is_given(statement, speaker);
       return Status::done;
     }
     Context context;
@@ -135,10 +137,24 @@ Status Session::execute(const Statement& statement, const std::string& speaker) 
   return done.status;
 }
 
-void Session::name_what_is_given(const Statement& statement) {
+/// The verb that shows a triangulation, if there is none, for each of them.
+Status Session::execute(Mapping mapping, const Statement& statement, const std::string& speaker) {
+  if (!statement.name.empty())
+    throw InputError("a name is for one value, and " + in_quotes(mapping.words[mapping.at]) +
+                     " stands for all in a file");
+  if (mapping.words.size() == 1) {
+    mapping.words.insert(mapping.words.begin(), "info");
+    mapping.at = 1;
+  }
+  return run_mapping(std::move(mapping), verbs_, "", defaults_, &values_, speaker);
+}
+
+void Session::name_what_is_given(const Statement& statement, const std::string& speaker) {
   Context context;
   context.values = &values_;
   assign(statement.name, read_value(statement.words.front(), context), statement);
+  if (!defaults_.quiet && !context.reads->passed_over.empty())
+    std::cerr << speaker << ": warning: " << context.reads->passed_over.sentence() << '\n';
   if (!defaults_.quiet) std::cout << statement.name << ": " << summary(*values_.at(statement.name)) << '\n';
 }
 

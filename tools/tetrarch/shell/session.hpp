@@ -11,6 +11,7 @@
 /// A session knows nothing of terminals: shell.cpp feeds it lines.
 
 #include "../job.hpp"
+#include "../mapping.hpp"
 #include "../value.hpp"
 
 #include <map>
@@ -57,7 +58,8 @@ private:
 
   Statement statement_of(std::string_view line) const;
   Status execute(const Statement& statement, const std::string& speaker);
-  void name_what_is_given(const Statement& statement);
+  Status execute(Mapping mapping, const Statement& statement, const std::string& speaker);
+  void name_what_is_given(const Statement& statement, const std::string& speaker);
   void assign(const std::string& name, ValuePointer value, const Statement& statement);
   bool is_verb(const std::string& word) const;
   bool changes_value(const Statement& statement) const;
