@@ -89,8 +89,16 @@ hyperbolic::Search solve(const Triangulation& tri, const Options& options, const
   return found;
 }
 
-std::vector<std::pair<std::string, std::string>> report(const hyperbolic::Search& search,
-                                                        const Skeleton& skeleton) {
+/// Whose structure it is, where that is not the manifold given.
+std::string filling(int spheres) {
+  return spheres == 1
+             ? "1 boundary sphere is filled with a ball: this is another manifold than the given one"
+             : std::to_string(spheres) +
+                   " boundary spheres are filled with balls: this is another manifold than the given one";
+}
+
+std::vector<std::pair<std::string, std::string>> rows_of(const hyperbolic::Search& search,
+                                                         const Skeleton& skeleton) {
   const Hyperbolization<double>& found = search.structure;
   if (found.outcome != Outcome::geometric)
     return {{"outcome", outcome_word(found.outcome)},
@@ -115,6 +123,13 @@ std::vector<std::pair<std::string, std::string>> report(const hyperbolic::Search
   return rows;
 }
 
+std::vector<std::pair<std::string, std::string>> report(const hyperbolic::Search& search,
+                                                        const Skeleton& skeleton) {
+  auto rows = rows_of(search, skeleton);
+  if (search.filled_spheres > 0) rows.insert(rows.begin() + 1, {"filled", filling(search.filled_spheres)});
+  return rows;
+}
+
 Json report_json(const hyperbolic::Search& search, const Skeleton& skeleton) {
   const Hyperbolization<double>& found = search.structure;
   const bool geometric = found.outcome == Outcome::geometric;
@@ -127,6 +142,7 @@ Json report_json(const hyperbolic::Search& search, const Skeleton& skeleton) {
   json["volume"] = geometric ? Json(found.volume) : Json();
   json["signature"] = signature(search.triangulation);
   json["changed"] = search.changed;
+  json["filled_spheres"] = search.filled_spheres;
   json["attempts"] = search.attempts;
   json["edge_lengths"] = numbers(found.lengths);
   json["dihedral_angles"] = Json::array();
