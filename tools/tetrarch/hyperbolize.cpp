@@ -10,6 +10,7 @@
 #include "tetrarch/hyperbolic/search.hpp"
 
 #include <CLI/CLI.hpp>
+#include <cmath>
 #include <memory>
 #include <sstream>
 
@@ -89,6 +90,9 @@ hyperbolic::Search solve(const Triangulation& tri, const Options& options, const
   return found;
 }
 
+/// Half of the last digit that a volume is printed with: a larger bound of its error is printed too.
+constexpr double last_digit_of_volume = 5e-13;
+
 /// Whose structure it is, where that is not the manifold given.
 std::string filling(int spheres) {
   return spheres == 1
@@ -111,6 +115,8 @@ std::vector<std::pair<std::string, std::string>> rows_of(const hyperbolic::Searc
                                                         {"volume", fixed(found.volume, 12)},
                                                         {"residual", scientific(found.residual, 1)},
                                                         {"iterations", std::to_string(found.iterations)}};
+  if (!(found.volume_error < last_digit_of_volume))
+    rows.insert(rows.begin() + 3, {"error", "volume right to within " + scientific(found.volume_error, 1)});
   for (const EdgeId e : all<EdgeId>(found.lengths.size()))
     rows.emplace_back("edge " + std::to_string(e.value), "length " + fixed(found.lengths[e], 10) +
                                                              ", valence " +
@@ -140,6 +146,7 @@ Json report_json(const hyperbolic::Search& search, const Skeleton& skeleton) {
     json["tried"] = describe(search);
   }
   json["volume"] = geometric ? Json(found.volume) : Json();
+  json["volume_error"] = geometric && std::isfinite(found.volume_error) ? Json(found.volume_error) : Json();
   json["signature"] = signature(search.triangulation);
   json["changed"] = search.changed;
   json["filled_spheres"] = search.filled_spheres;
