@@ -2,9 +2,9 @@
 #include "tetrarch/hyperbolic/hyperbolize.hpp"
 
 #include "solvers.hpp"
+#include "structure_volume.hpp"
 #include "tetrarch/core/error.hpp"
 #include "tetrarch/hyperbolic/real50.hpp"
-#include "tetrarch/hyperbolic/volume.hpp"
 
 #include <array>
 #include <cmath>
@@ -48,9 +48,14 @@ Outcome judge(const Run<Scalar>& run, const Goals<Scalar>& goals) {
 }
 
 template <class Scalar>
-Hyperbolization<Scalar> conclude(Run<Scalar> run, const Goals<Scalar>& goals) {
+Hyperbolization<Scalar> conclude(const Problem& problem, Run<Scalar> run, const Goals<Scalar>& goals) {
   Hyperbolization<Scalar> result;
   result.outcome = judge(run, goals);
+  if (result.outcome == Outcome::geometric) {
+    const Estimate<Scalar> volume = structure_volume(problem, run.state, run.last_step);
+    result.volume = volume.value;
+    result.volume_error = volume.error;
+  }
   result.residual = run.state.residual();
   result.last_step = run.last_step;
   result.iterations = run.iterations;
@@ -59,7 +64,6 @@ Hyperbolization<Scalar> conclude(Run<Scalar> run, const Goals<Scalar>& goals) {
   result.lengths = Metric<Scalar>(std::move(run.state.lengths));
   result.dihedral_angles = std::move(run.state.angles);
   result.history = std::move(run.history);
-  if (result.outcome == Outcome::geometric) result.volume = total_volume(result.dihedral_angles);
   return result;
 }
 
@@ -75,6 +79,13 @@ Hyperbolization<double> obstructed(const Obstacle& obstacle) {
   result.edge = obstacle.edge;
   result.vertex = obstacle.vertex;
   return result;
+}
+
+/// Every vertex is a point: then there are none to remove.
+bool is_closed_manifold(const Skeleton& skeleton) {
+  for (const VertexId v : all<VertexId>(skeleton.vertex_count()))
+    if (!skeleton.link(v).is_sphere()) return false;
+  return true;
 }
 
 } // namespace
@@ -118,8 +129,8 @@ Hyperbolization<double> hyperbolize_from(const Metric<double>& start, const Skel
   const Problem problem(skeleton);
   const Goals<double> goals = goals_of(options);
   if (options.method == Method::newton)
-    return conclude(newton(problem, start.values(), goals, progress), goals);
-  return conclude(flow(problem, start.values(), goals, options.keep_history, progress), goals);
+    return conclude(problem, newton(problem, start.values(), goals, progress), goals);
+  return conclude(problem, flow(problem, start.values(), goals, options.keep_history, progress), goals);
 }
 
 template <class Scalar>
@@ -132,7 +143,8 @@ Hyperbolization<Scalar> refine(const Skeleton& skeleton, const Hyperbolization<d
   const Scalar small = pow(std::numeric_limits<Scalar>::epsilon(), Scalar(0.75));
   const Goals<Scalar> goals{small, small, 2 * HyperbolizeOptions{}.length_limit, 20};
   const std::vector<Scalar> start(found.lengths.begin(), found.lengths.end());
-  return conclude(newton(Problem(skeleton), start, goals, progress), goals);
+  const Problem problem(skeleton);
+  return conclude(problem, newton(problem, start, goals, progress), goals);
 }
 
 template Hyperbolization<double> refine(const Skeleton&, const Hyperbolization<double>&, const Progress&);
@@ -158,7 +170,9 @@ std::string describe(const Hyperbolization<double>& result, const Skeleton& skel
   case Outcome::projective_plane:
     return "not hyperbolic: the link of " + vertex + " is a projective plane";
   case Outcome::finite_vertices:
-    return "undecided: the link of " + vertex + " is a sphere; remove such vertices first";
+    return is_closed_manifold(skeleton)
+               ? "undecided: the manifold is closed, and structures of closed manifolds are not offered yet"
+               : "undecided: the link of " + vertex + " is a sphere; remove such vertices first";
   case Outcome::boundary_faces:
     return "undecided: " + std::to_string(skeleton.boundary_face_count()) +
            " faces are not glued; close or truncate the boundary first";

@@ -4,7 +4,6 @@
 #include "kernel.hpp"
 #include "tetrarch/core/error.hpp"
 #include "tetrarch/hyperbolic/real50.hpp"
-#include "tetrarch/hyperbolic/volume.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -84,20 +83,12 @@ Scalar max_curvature(const Table<EdgeId, Scalar>& curvature) {
   return kernel::largest_magnitude(curvature);
 }
 
-template <class Scalar>
-Scalar total_volume(const AngleTable<Scalar>& angles) {
-  Scalar sum = 0;
-  for (const SixNumbers<Scalar>& theta : angles) sum += volume(theta);
-  return sum;
-}
-
 #define TETRARCH_INSTANTIATE(Scalar)                                                                         \
   template AngleTable<Scalar> dihedral_angles(const Skeleton&, const Metric<Scalar>&);                       \
   template Table<EdgeId, Scalar> edge_curvature(const Skeleton&, const AngleTable<Scalar>&);                 \
   template Table<VertexId, Scalar> vertex_curvature(const Skeleton&, const AngleTable<Scalar>&);             \
   template Scalar total_squared_curvature(const Table<EdgeId, Scalar>&);                                     \
-  template Scalar max_curvature(const Table<EdgeId, Scalar>&);                                               \
-  template Scalar total_volume(const AngleTable<Scalar>&);
+  template Scalar max_curvature(const Table<EdgeId, Scalar>&);
 TETRARCH_INSTANTIATE(double)
 TETRARCH_INSTANTIATE(Real50)
 #undef TETRARCH_INSTANTIATE

@@ -21,6 +21,13 @@ void require_searchable(const Triangulation& tri, const Skeleton& skeleton) {
     throw PreconditionError("find_structure: " + describe(defects.front(), skeleton));
 }
 
+/// Boundary components of the input that no vertex of the result stands for.
+int filled_spheres(const moves::Truncation& truncation) {
+  int filled = 0;
+  for (const moves::BoundaryImage& image : truncation.boundary) filled += image.vertex.tet < 0 ? 1 : 0;
+  return filled;
+}
+
 bool needs_truncation(const Skeleton& skeleton) {
   if (skeleton.has_boundary_faces()) return true;
   for (const VertexId v : all<VertexId>(skeleton.vertex_count()))
@@ -46,7 +53,9 @@ public:
     if (needs_truncation(skeleton)) {
       moves::TruncateOptions how;
       how.simplify.seed = options_.seed;
-      start = moves::truncate(given, how, progress_).tri;
+      moves::Truncation truncation = moves::truncate(given, how, progress_);
+      start = std::move(truncation.tri);
+      found_.filled_spheres = filled_spheres(truncation);
       found_.changed = true;
     }
     if (settled(start)) return std::move(found_);

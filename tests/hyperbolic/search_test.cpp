@@ -106,6 +106,32 @@ TEST_CASE("boundary without finite vertices and finite vertices without boundary
   }
 }
 
+TEST_CASE("balls that are filled into boundary spheres are counted, points of the manifold are not",
+          "[hyperbolic]") {
+  // The knotted Y with a new point in each of its first k tetrahedra, which `finite_model` cuts off or
+  // leaves.
+  const Triangulation whole = zoo("knotted Y").triangulation();
+  const double volume = hyperbolize(whole, Skeleton(whole)).volume;
+  std::vector<int> pointed;
+  for (int points = 0; points <= 2; pointed.push_back(points++)) {
+    const Triangulation given = moves::subdivided_1_4(whole, pointed).tri;
+    const Search closed = find_structure(given);
+    const Search bounded = find_structure(moves::finite_model(given).tri);
+    const Search punctured = find_structure(moves::finite_model(given, moves::Cut::interior_vertices).tri);
+    for (const Search* found : {&closed, &bounded, &punctured}) {
+      REQUIRE(found->structure.outcome == Outcome::geometric);
+      CHECK(found->structure.volume == Approx(volume).epsilon(0).margin(1e-11));
+      CHECK(found->filled_spheres == (found == &punctured ? points : 0));
+    }
+  }
+  // The sphere of a closed manifold's only vertex is filled too, though no structure is sought there.
+  const Triangulation sphere = zoo("Poincare sphere").triangulation();
+  const Search punctured = find_structure(moves::finite_model(sphere, moves::Cut::interior_vertices).tri);
+  CHECK(punctured.filled_spheres == Skeleton(sphere).vertex_count());
+  CHECK(punctured.structure.outcome == Outcome::finite_vertices);
+  CHECK(find_structure(sphere).filled_spheres == 0);
+}
+
 TEST_CASE("no triangulation is tried twice, and none that has grown too large", "[hyperbolic]") {
   SearchOptions options;
   options.attempts = 200;

@@ -2,6 +2,8 @@
 #include "tetrarch/hyperbolic/volume.hpp"
 
 #include "samples.hpp"
+#include "src/hyperbolic/angle_data.hpp"
+#include "src/hyperbolic/clausen.hpp"
 #include "tetrarch/hyperbolic/real50.hpp"
 
 #include <catch2/catch.hpp>
@@ -21,6 +23,87 @@ SixNumbers<Real50> precise(const SixNumbers<double>& numbers) {
   SixNumbers<Real50> out;
   for (int e = 0; e < 6; ++e) out[e] = numbers[e];
   return out;
+}
+
+SixNumbers<double> rounded(const SixNumbers<Real50>& numbers) {
+  SixNumbers<double> out{};
+  for (int e = 0; e < 6; ++e) out[e] = static_cast<double>(numbers[e]);
+  return out;
+}
+
+AngleData<double> rounded(const AngleData<Real50>& data) {
+  AngleData<double> out;
+  out.turns = data.turns;
+  out.rest = rounded(data.rest);
+  out.spread = static_cast<double>(data.spread);
+  for (int e = 0; e < 6; ++e) out.rest_error[e] = 1.2e-16 * std::abs(out.rest[e]);
+  out.spread_error = 1.2e-16 * out.spread;
+  return out;
+}
+
+std::array<kernel::EdgeForm<Real50>, 6> forms(const SixNumbers<Real50>& lengths, const VertexTypes& types) {
+  std::array<kernel::EdgeForm<Real50>, 6> form;
+  for (int e = 0; e < 6; ++e)
+    form[e] = kernel::edge_form(types[edge_vertex[e][0]], types[edge_vertex[e][1]], lengths[e]);
+  return form;
+}
+
+/// Ushijima's formula as it is printed, with the determinant of cosines and the denominator of exponentials:
+/// a witness in 60 digits, of which near a flat tetrahedron some thirty are left.
+Real50 as_printed(const SixNumbers<Real50>& theta) {
+  const Real50 a = theta[0], b = theta[1], c = theta[2], d = theta[5], e = theta[4], f = theta[3];
+  Matrix4<Real50> g;
+  for (int k = 0; k < 4; ++k) g[k][k] = 1;
+  for (int n = 0; n < 6; ++n) {
+    const auto [k, l] = edge_vertex[n];
+    g[k][l] = -cos(theta[opposite_edge(n)]);
+    g[l][k] = g[k][l];
+  }
+  Real50 re = 0;
+  Real50 im = 0;
+  for (const Real50& x : {Real50(a + d), Real50(b + e), Real50(c + f), Real50(a + b + f), Real50(a + c + e),
+                          Real50(b + c + d), Real50(d + e + f), Real50(a + b + c + d + e + f)}) {
+    re += cos(x);
+    im += sin(x);
+  }
+  const Real50 middle = pi<Real50>() - atan2(im, re);
+  const Real50 spread =
+      atan2(sqrt(Real50(-determinant(g))), Real50(sin(a) * sin(d) + sin(b) * sin(e) + sin(c) * sin(f)));
+  const auto u = [&](const Real50& z) {
+    const Real50 turned = z + pi<Real50>();
+    return Real50(clausen(z) + clausen(Real50(z + a + b + d + e)) + clausen(Real50(z + a + c + d + f)) +
+                  clausen(Real50(z + b + c + e + f)) - clausen(Real50(turned + a + b + c)) -
+                  clausen(Real50(turned + a + e + f)) - clausen(Real50(turned + b + d + f)) -
+                  clausen(Real50(turned + c + d + e)));
+  };
+  return abs(Real50(u(middle - spread) - u(middle + spread))) / 4;
+}
+
+/// Lengths of a tetrahedron, and of none.
+std::pair<SixNumbers<Real50>, SixNumbers<Real50>> across_the_flat_ones(const VertexTypes& types,
+                                                                       Random& random) {
+  const SixNumbers<double> inside = samples::existing_lengths(types, random);
+  SixNumbers<double> outside;
+  do outside = samples::some_lengths(types, random);
+  while (dihedral_angles(outside, types));
+  return {precise(inside), precise(outside)};
+}
+
+/// On the way from the one to the other, `before` (in shares of the way) the last tetrahedron, which is flat.
+SixNumbers<Real50> just_inside(const SixNumbers<Real50>& inside, const SixNumbers<Real50>& outside,
+                               const VertexTypes& types, const Real50& before) {
+  const auto at = [&](const Real50& t) {
+    SixNumbers<Real50> lengths;
+    for (int e = 0; e < 6; ++e) lengths[e] = inside[e] + t * (outside[e] - inside[e]);
+    return lengths;
+  };
+  Real50 there = 0;
+  Real50 beyond = 1;
+  for (int step = 0; step < 170; ++step) {
+    const Real50 middle = (there + beyond) / 2;
+    (dihedral_angles(at(middle), types) ? there : beyond) = middle;
+  }
+  return at(there - before);
 }
 
 } // namespace
@@ -51,6 +134,19 @@ TEST_CASE("Clausen's function is the sum of sin(n x) / n^2", "[clausen]") {
     double sum = 0;
     for (int n = 2'000'000; n >= 1; --n) sum += std::sin(n * x) / (static_cast<double>(n) * n);
     CHECK(clausen(x) == Approx(sum).margin(1e-10));
+  }
+}
+
+TEST_CASE("Clausen's function errs by less than it says, also next to whole and half turns", "[clausen]") {
+  Random random(5);
+  for (int round = 0; round < 3000; ++round) {
+    const double x = std::ldexp(samples::between(random, -12, 12), -(round / 2 % 60));
+    const int half_turns = round % 2;
+    const auto term = clausen_term(half_turns, x, 0.0);
+    const Real50 exact = clausen(Real50(Real50(x) + half_turns * pi<Real50>()));
+    REQUIRE(abs(exact - term.value) <= Real50(term.error));
+    // About ten units of the value: next to a whole turn and next to half a turn no digit is lost.
+    if (std::abs(x) < 1) REQUIRE(term.error <= 2e-15 * std::abs(term.value));
   }
 }
 
@@ -104,15 +200,76 @@ TEST_CASE("a flat or non-hyperbolic set of angles has no volume", "[volume]") {
   CHECK(volume(all_angles(1.5)) == 0);
 }
 
-TEST_CASE("the arguments of the dilogarithms have modulus one", "[volume]") {
+TEST_CASE("from lengths and from angles, in double and in 60 digits, the volume is the same", "[volume]") {
   Random random(3);
-  for (const VertexTypes& types : samples::all_mixtures())
+  for (const VertexTypes& types : samples::all_mixtures()) {
+    INFO(samples::name(types));
     for (int round = 0; round < 5; ++round) {
       const auto lengths = samples::existing_lengths(types, random);
-      const auto angles = *dihedral_angles(precise(lengths), types);
-      for (const auto& z : ushijima_roots(angles)) CHECK(abs(z[0] * z[0] + z[1] * z[1] - 1) < 1e-45);
-      CHECK(std::abs(volume(*dihedral_angles(lengths, types)) - static_cast<double>(volume(angles))) < 1e-9);
+      const auto precise_lengths = precise(lengths);
+      const Real50 exact = as_printed(*dihedral_angles(precise_lengths, types));
+      const auto in_60_digits = volume(precise_lengths, types);
+      REQUIRE(in_60_digits);
+      CHECK(abs(in_60_digits->value - exact) < 1e-45);
+      CHECK(in_60_digits->error < 1e-50);
+      const auto estimate = volume(lengths, types);
+      REQUIRE(estimate);
+      CHECK(abs(estimate->value - exact) <= estimate->error);
+      CHECK(estimate->error < 1e-13);
+      CHECK(abs(volume(*dihedral_angles(lengths, types)) - exact) < 1e-13);
     }
+  }
+  CHECK_FALSE(volume(SixNumbers<double>{4, 0, 0, 0, 0, 4}, all_ideal));
+  CHECK_FALSE(volume(SixNumbers<double>{-1, 1, 1, 1, 1, 1}, all_hyperideal));
+}
+
+TEST_CASE("down to 1e-10 from flat no digit of the volume is lost, for every mixture of vertices",
+          "[volume]") {
+  Random random(6);
+  for (const VertexTypes& types : samples::all_mixtures()) {
+    const auto [inside, outside] = across_the_flat_ones(types, random);
+    for (const double distance : {1e-2, 1e-4, 1e-6, 1e-8, 1e-10}) {
+      INFO(samples::name(types) << ", " << distance << " from flat");
+      const SixNumbers<Real50> lengths = just_inside(inside, outside, types, Real50(distance) * distance);
+      const auto angles = *dihedral_angles(lengths, types);
+      const Real50 exact = as_printed(angles);
+      const auto in_60_digits = volume(lengths, types);
+      // What the printed formula keeps of 60 digits.
+      CHECK(abs(in_60_digits->value - exact) < Real50(1e-49) / (distance * distance));
+      const AngleData<double> data = rounded(*angle_data(forms(lengths, types), types));
+      const ClausenSum<double> sum = clausen_sum(data, types);
+      const Real50 error = abs(exact - sum.value);
+      CHECK(error <= 1e-14);
+      CHECK(error <= 1e-10 * exact);
+      CHECK(error <= Real50(sum.error));
+      CHECK(sum.error < 1e-13);
+      // From the rounded lengths: another tetrahedron, or none.
+      const auto estimate = volume(rounded(lengths), types);
+      if (!estimate) continue;
+      const auto truth = volume(precise(rounded(lengths)), types);
+      CHECK(abs(truth->value - estimate->value) <= estimate->error);
+      CHECK(estimate->error < 1e-12);
+    }
+  }
+}
+
+TEST_CASE("nearly flat ideal tetrahedra: Milnor's sum of three Lobachevsky functions", "[volume]") {
+  for (const double flat : {1e-3, 1e-6, 1e-10}) {
+    // L(x) = Cl(2x) / 2; the third is minus that of the sum of the other two.
+    const Real50 a = 0.7 * flat;
+    const Real50 b = 0.3 * flat;
+    const Real50 milnor =
+        (clausen(Real50(2 * a)) + clausen(Real50(2 * b)) - clausen(Real50(2 * (a + b)))) / 2;
+    AngleData<double> data;
+    data.turns = {0, 0, 1, 1, 0, 0};
+    data.rest = {0.7 * flat, 0.3 * flat, -flat, -flat, 0.3 * flat, 0.7 * flat};
+    // Cosines of angles near flat, as sines of the rests: the spread is the angle at 0 of z = 1 ... z+.
+    data.spread = std::atan2(std::sin(0.7 * flat) * std::sin(0.3 * flat) * std::sin(flat) * 2,
+                             std::pow(std::sin(0.7 * flat), 2) + std::pow(std::sin(0.3 * flat), 2) +
+                                 std::pow(std::sin(flat), 2));
+    const double got = clausen_sum(data, all_ideal).value;
+    CHECK(abs(milnor - got) < 1e-13 * milnor);
+  }
 }
 
 TEST_CASE("Schlaefli: dV = -1/2 sum of l d theta, for every mixture of vertex types", "[volume]") {

@@ -9,6 +9,7 @@
 #include "tetrarch/format/json.hpp"
 #include "tetrarch/hyperbolic/search.hpp"
 
+#include <cmath>
 #include <memory>
 #include <sstream>
 
@@ -88,8 +89,19 @@ hyperbolic::Search solve(const Triangulation& tri, const Options& options, const
   return found;
 }
 
-std::vector<std::pair<std::string, std::string>> report(const hyperbolic::Search& search,
-                                                        const Skeleton& skeleton) {
+/// Half of the last digit that a volume is printed with: a larger bound of its error is printed too.
+constexpr double last_digit_of_volume = 5e-13;
+
+/// Whose structure it is, where that is not the manifold given.
+std::string filling(int spheres) {
+  return spheres == 1
+             ? "1 boundary sphere is filled with a ball: this is another manifold than the given one"
+             : std::to_string(spheres) +
+                   " boundary spheres are filled with balls: this is another manifold than the given one";
+}
+
+std::vector<std::pair<std::string, std::string>> rows_of(const hyperbolic::Search& search,
+                                                         const Skeleton& skeleton) {
   const Hyperbolization<double>& found = search.structure;
   if (found.outcome != Outcome::geometric)
     return {{"outcome", outcome_word(found.outcome)},
@@ -102,6 +114,8 @@ std::vector<std::pair<std::string, std::string>> report(const hyperbolic::Search
                                                         {"volume", fixed(found.volume, 12)},
                                                         {"residual", scientific(found.residual, 1)},
                                                         {"iterations", std::to_string(found.iterations)}};
+  if (!(found.volume_error < last_digit_of_volume))
+    rows.insert(rows.begin() + 3, {"error", "volume right to within " + scientific(found.volume_error, 1)});
   for (const EdgeId e : all<EdgeId>(found.lengths.size()))
     rows.emplace_back("edge " + std::to_string(e.value), "length " + fixed(found.lengths[e], 10) +
                                                              ", valence " +
@@ -111,6 +125,13 @@ std::vector<std::pair<std::string, std::string>> report(const hyperbolic::Search
     for (const double a : found.dihedral_angles[t]) angles.push_back(fixed(a, 10));
     rows.emplace_back("angles " + std::to_string(t), joined(angles, " "));
   }
+  return rows;
+}
+
+std::vector<std::pair<std::string, std::string>> report(const hyperbolic::Search& search,
+                                                        const Skeleton& skeleton) {
+  auto rows = rows_of(search, skeleton);
+  if (search.filled_spheres > 0) rows.insert(rows.begin() + 1, {"filled", filling(search.filled_spheres)});
   return rows;
 }
 
@@ -124,8 +145,10 @@ Json report_json(const hyperbolic::Search& search, const Skeleton& skeleton) {
     json["tried"] = describe(search);
   }
   json["volume"] = geometric ? Json(found.volume) : Json();
+  json["volume_error"] = geometric && std::isfinite(found.volume_error) ? Json(found.volume_error) : Json();
   json["signature"] = signature(search.triangulation);
   json["changed"] = search.changed;
+  json["filled_spheres"] = search.filled_spheres;
   json["attempts"] = search.attempts;
   json["edge_lengths"] = numbers(found.lengths);
   json["dihedral_angles"] = Json::array();

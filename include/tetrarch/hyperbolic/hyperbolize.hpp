@@ -33,6 +33,7 @@ enum class Outcome {
   low_valence,      ///< an edge of valence 1 or 2: its angles can never add up to 2 pi
   projective_plane, ///< a vertex link is a projective plane: no hyperbolic manifold has one
   finite_vertices,  ///< a vertex link is a sphere: F is not convex; remove such vertices first
+                    ///< (a closed manifold has no others: its structures are not offered yet)
   boundary_faces,   ///< the triangulation is not closed
   invalid,          ///< empty, or an edge is identified with itself reversed
   budget_exhausted, ///< `max_iterations` were not enough
@@ -70,8 +71,12 @@ struct Hyperbolization {
   Metric<Scalar> lengths;             ///< as far as they were reached, also without success
   AngleTable<Scalar> dihedral_angles; ///< at these lengths
   Scalar volume = Scalar(0);          ///< 0 unless geometric
-  Scalar residual = Scalar(0);        ///< max |K_e|
-  Scalar last_step = Scalar(0);       ///< largest component of the Newton step at these lengths
+  /// The structure's volume is within this of `volume`, whatever was rounded. That there is a structure
+  /// within two Newton steps of the lengths is taken for granted here; `tolerance` and `step_tolerance` are
+  /// what speaks for it.
+  Scalar volume_error = Scalar(0);
+  Scalar residual = Scalar(0);  ///< max |K_e|
+  Scalar last_step = Scalar(0); ///< largest component of the Newton step at these lengths
   int iterations = 0;
   EdgeId edge;         ///< the edge that is the reason: of low valence, reversed, or the longest
   VertexId vertex;     ///< the vertex that is the reason: finite, or with a projective plane for a link

@@ -61,8 +61,4 @@ Scalar total_squared_curvature(const Table<EdgeId, Scalar>& curvature);
 template <class Scalar>
 Scalar max_curvature(const Table<EdgeId, Scalar>& curvature);
 
-/// The sum of the volumes of all tetrahedra. O(n).
-template <class Scalar>
-Scalar total_volume(const AngleTable<Scalar>& angles);
-
 } // namespace tetrarch::hyperbolic

@@ -10,8 +10,11 @@
 ///
 /// Real boundary is coned and truncated first and finite vertices are merged away (moves/truncate.hpp): a
 /// solid stands for its interior with geodesic boundary and cusps, balls filled into its spherical boundary.
-/// "Not found" is a statement about the triangulations that were tried, never about the manifold.
-/// Source: mathematics of the dissertation's section 4.3.3; the search is folklore (SnapPea does the like).
+/// Filling a sphere changes the manifold, and `filled_spheres` counts it: the structure is one of what was
+/// given with so many balls filled in. A vertex whose link is a sphere, in a gluing without boundary there,
+/// is a point of the manifold; merging it away changes the triangulation only. "Not found" is a statement
+/// about the triangulations that were tried, never about the manifold. Source: mathematics of the
+/// dissertation's section 4.3.3; the search is folklore (SnapPea does the like).
 
 #include "tetrarch/hyperbolic/hyperbolize.hpp"
 
@@ -37,6 +40,9 @@ struct Search {
   /// Geometric; or what came of the simplified triangulation.
   Hyperbolization<double> structure;
   bool changed = false; ///< `triangulation` is not the one that was given
+  /// Boundary spheres of the given triangulation that balls were filled into; where it is not 0,
+  /// `triangulation` is one of another manifold than the given one.
+  int filled_spheres = 0;
   int attempts = 0;
   /// How often each outcome was seen, by Outcome.
   std::array<int, outcome_count> seen{};

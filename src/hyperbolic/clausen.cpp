@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "clausen.hpp"
+
+#include "tetrarch/hyperbolic/real50.hpp"
+#include "tetrarch/hyperbolic/volume.hpp"
+
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace tetrarch::hyperbolic {
+namespace {
+
+/// Coefficients of the two series of Clausen's function, for n = 1, 2, ...:
+///   Cl(x)      = x - x log x + sum zero[n] x^(2n+1),   zero[n] = |B_2n| / (2n (2n+1)!)
+///   Cl(pi - y) = y log 2     - sum half[n] y^(2n+1),   half[n] = (4^n - 1) zero[n]
+/// Used for x <= 2 pi/3 and y <= pi/3, where each term is at most a ninth of the one before.
+template <class Scalar>
+struct ClausenSeries {
+  std::vector<Scalar> zero;
+  std::vector<Scalar> half;
+
+  /// The tangent numbers T_n = 4^n (4^n - 1) |B_2n| / (2n) come from a recurrence that only adds positive
+  /// numbers (Brent-Harvey 2011), so no digit is lost, in any scalar. An even number of terms: they are
+  /// summed two by two.
+  ClausenSeries() {
+    const int pairs = static_cast<int>(std::numeric_limits<Scalar>::digits / (4 * std::log2(3.0)));
+    const int terms = 2 * pairs;
+    std::vector<Scalar> tangent(static_cast<std::size_t>(terms) + 1, Scalar(1));
+    for (int k = 2; k <= terms; ++k) tangent[k] = (k - 1) * tangent[k - 1];
+    for (int k = 2; k <= terms; ++k)
+      for (int j = k; j <= terms; ++j) tangent[j] = (j - k) * tangent[j - 1] + (j - k + 2) * tangent[j];
+    Scalar power = 1;
+    Scalar factorial = 1;
+    for (int n = 1; n <= terms; ++n) {
+      power *= 4;
+      factorial *= 2 * n * (2 * n + 1);
+      half.push_back(tangent[n] / (power * factorial));
+      zero.push_back(half.back() / (power - 1));
+    }
+  }
+};
+
+template <class Scalar>
+const ClausenSeries<Scalar>& clausen_series() {
+  static const ClausenSeries<Scalar> series;
+  return series;
+}
+
+/// sum c[n] x^(2n+1). Odd and even terms apart, so that two chains of products run side by side.
+template <class Scalar>
+Scalar odd_series(const std::vector<Scalar>& c, const Scalar& x) {
+  const Scalar square = x * x;
+  const Scalar fourth = square * square;
+  Scalar odd = 0;
+  Scalar even = 0;
+  for (std::size_t n = c.size(); n > 0; n -= 2) {
+    odd = odd * fourth + c[n - 2];
+    even = even * fourth + c[n - 1];
+  }
+  return x * square * (odd + even * square);
+}
+
+/// Half a unit in the last place of 1.
+template <class Scalar>
+Scalar unit() {
+  return std::numeric_limits<Scalar>::epsilon() / 2;
+}
+
+/// pi less its nearest number of the scalar.
+template <class Scalar>
+Scalar rest_of_pi() {
+  return Scalar(0); // the scalar holds ten digits more than results need
+}
+template <>
+double rest_of_pi<double>() {
+  return 1.2246467991473532e-16; // the sine of the double nearest to pi
+}
+
+/// For r in (0, 2 pi/3]; the slope there is |log(2 sin(r/2))|, within 0.2 of |log r|.
+template <class Scalar>
+ClausenTerm<Scalar> near_whole_turn(const Scalar& r, const Scalar& r_error) {
+  using std::abs;
+  using std::log;
+  const Scalar logarithm = log(r);
+  const Scalar size = abs(logarithm);
+  ClausenTerm<Scalar> term;
+  term.value = r - r * logarithm + odd_series(clausen_series<Scalar>().zero, r);
+  // Cl is concave on (0, pi/3) and odd, hence |Cl(x + e) - Cl(x)| <= 2 Cl(e/2) for all x.
+  term.slope = r >= 2 * r_error ? Scalar(size + 1) : Scalar(2 + abs(log(r_error)));
+  term.error = term.slope * r_error + 6 * unit<Scalar>() * r * (1 + size);
+  term.distance = r;
+  return term;
+}
+
+/// Cl(pi - y) for y in [0, pi/3]; the slope there is at most log 2.
+template <class Scalar>
+ClausenTerm<Scalar> near_half_turn(const Scalar& y, const Scalar& y_error) {
+  using std::log;
+  static const Scalar log_two = log(Scalar(2));
+  ClausenTerm<Scalar> term;
+  term.value = y * log_two - odd_series(clausen_series<Scalar>().half, y);
+  term.slope = Scalar(0.7);
+  term.error = term.slope * y_error + 4 * unit<Scalar>() * y;
+  term.distance = pi<Scalar>() - y;
+  return term;
+}
+
+} // namespace
+
+template <class Scalar>
+ClausenTerm<Scalar> clausen_term(int half_turns, const Scalar& x, const Scalar& x_error) {
+  using std::abs;
+  using std::floor;
+  const Scalar half_turn = pi<Scalar>();
+  Scalar rest = x;
+  Scalar error = x_error;
+  if (abs(x) > half_turn) {
+    const Scalar turns = floor(Scalar(x / (2 * half_turn) + Scalar(0.5)));
+    rest = (x - 2 * half_turn * turns) - 2 * rest_of_pi<Scalar>() * turns;
+    error += 4 * unit<Scalar>() * half_turn * abs(turns);
+  }
+  const Scalar size = abs(rest);
+  const bool odd = half_turns % 2 != 0;
+  const bool far = odd ? 3 * size > half_turn : 3 * size > 2 * half_turn;
+  const Scalar other = (half_turn - size) + rest_of_pi<Scalar>();
+  if (far) error += 2 * unit<Scalar>() * half_turn;
+  const Scalar& argument = far ? other : size;
+  ClausenTerm<Scalar> term{};
+  if (odd == far) {
+    if (argument > 0) term = near_whole_turn(argument, error);
+  } else {
+    term = near_half_turn(argument, error);
+  }
+  // Cl(x) has the sign of its rest; Cl(pi + y) = -Cl(pi - y).
+  if ((rest < 0) != odd) term.value = -term.value;
+  return term;
+}
+
+template <class Scalar>
+Scalar clausen(const Scalar& x) {
+  return clausen_term(0, x, Scalar(0)).value;
+}
+
+#define TETRARCH_INSTANTIATE(Scalar)                                                                         \
+  template ClausenTerm<Scalar> clausen_term(int, const Scalar&, const Scalar&);                              \
+  template Scalar clausen(const Scalar&);
+TETRARCH_INSTANTIATE(double)
+TETRARCH_INSTANTIATE(Real50)
+#undef TETRARCH_INSTANTIATE
+
+} // namespace tetrarch::hyperbolic

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "structure_volume.hpp"
+
+#include "angle_data.hpp"
+#include "tetrarch/hyperbolic/real50.hpp"
+
+#include <cmath>
+#include <limits>
+
+namespace tetrarch::hyperbolic {
+namespace {
+
+template <class Scalar>
+Scalar unit() {
+  return std::numeric_limits<Scalar>::epsilon() / 2;
+}
+
+/// A sum that carries along what its additions round off.
+template <class Scalar>
+struct CarefulSum {
+  Scalar sum = 0;
+  Scalar lost = 0;
+
+  void add(const Scalar& x) {
+    const Scalar next = sum + x;
+    const Scalar part = next - sum;
+    lost += (sum - (next - part)) + (x - part);
+    sum = next;
+  }
+  Scalar total() const { return sum + lost; }
+};
+
+/// The angles around one edge.
+template <class Scalar>
+struct AngleTotal {
+  int turns = 0;
+  CarefulSum<Scalar> rest;
+  Scalar error = 0;
+
+  /// 2 pi less the angles. `rest_of_pi`: pi less its nearest double.
+  Scalar curvature() const {
+    constexpr double rest_of_pi = 1.2246467991473532e-16;
+    CarefulSum<Scalar> k = rest;
+    for (int turn = turns; turn < 2; ++turn) k.add(-pi<Scalar>());
+    for (int turn = 2; turn < turns; ++turn) k.add(pi<Scalar>());
+    if constexpr (std::is_same_v<Scalar, double>) k.lost += (turns - 2) * rest_of_pi;
+    return -k.total();
+  }
+};
+
+} // namespace
+
+template <class Scalar>
+Estimate<Scalar> structure_volume(const Problem& problem, const State<Scalar>& state,
+                                  const Scalar& last_step) {
+  using std::abs;
+  const Scalar infinity = std::numeric_limits<Scalar>::infinity();
+  CarefulSum<Scalar> volume;
+  Scalar error = 0;
+  std::vector<AngleTotal<Scalar>> around(state.lengths.size());
+  SixNumbers<Scalar> lengths;
+  std::array<kernel::EdgeForm<Scalar>, 6> form;
+  for (const Problem::Tet& tet : problem.tets) {
+    for (int e = 0; e < 6; ++e) {
+      lengths[e] = state.lengths[tet.edge[e]];
+      form[e] = state.form[tet.edge[e]];
+    }
+    const auto part = volume_part(lengths, tet.types, form);
+    if (!part) return {volume.total(), infinity};
+    volume.add(part->value);
+    error += part->error;
+    for (int e = 0; e < 6; ++e) {
+      AngleTotal<Scalar>& total = around[tet.edge[e]];
+      total.turns += part->data.turns[e];
+      total.rest.add(part->data.rest[e]);
+      total.error += part->data.rest_error[e];
+    }
+  }
+  for (std::size_t e = 0; e < around.size(); ++e) {
+    const Scalar k = around[e].curvature();
+    volume.add(-state.lengths[e] * k / 2);
+    error += abs(state.lengths[e]) * (abs(k) + unit<Scalar>()) * unit<Scalar>() +
+             (abs(k) + around[e].error) * last_step;
+  }
+  const Scalar value = volume.total();
+  return {value, error + 2 * unit<Scalar>() * abs(value)};
+}
+
+template Estimate<double> structure_volume(const Problem&, const State<double>&, const double&);
+template Estimate<Real50> structure_volume(const Problem&, const State<Real50>&, const Real50&);
+
+} // namespace tetrarch::hyperbolic
