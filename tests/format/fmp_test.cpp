@@ -131,7 +131,9 @@ TEST_CASE("several records, and gluings alone", "[fmp]") {
   CHECK(read_fmp(knotted_y + "\n" + knotted_y, "f").size() == 2);
   const std::string gluings = knotted_y.substr(0, knotted_y.find("Dihedral"));
   CHECK(read_fmp(gluings, "f").at(0).triangulation == support::knotted_y());
-  CHECK(error_of([&] { read_any(knotted_y + knotted_y, "f"); }) == "f: found 2 census records, expected one");
+  CHECK(
+      error_of([&] { read_any(knotted_y + knotted_y, "f"); }) ==
+      "f: found 2 triangulations of 3-manifolds, expected one: say which by FILE#1 or FILE#NAME, or FILE#*");
 }
 
 TEST_CASE("a census record survives as a document", "[fmp]") {

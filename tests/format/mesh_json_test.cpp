@@ -187,7 +187,7 @@ TEST_CASE("what JSON cannot hold is not written", "[json][mesh]") {
 TEST_CASE("groups survive as JSON", "[json][group]") {
   GroupDocument group;
   CHECK(write_group_json(read_group_json(write_group_json(group), "f")) == write_group_json(group));
-  group = {30, {{1, -30}, {}, {2, 2, 2}}, "a group", {{"by", "hand"}}, nullptr};
+  group = {30, {{1, -30}, {}, {2, 2, 2}}, "a group", Json{{"by", "hand"}}, nullptr};
   const std::string text = write_group_json(group);
   const GroupDocument back = read_group_json(text, "f");
   CHECK(back.generators == group.generators);

@@ -130,7 +130,7 @@ class Elements(InFolder):
         # The same in a way that no option shows.
         done = run("simplify", path + "#*", "--moves", os.path.join(self.folder.name, "log"))
         self.assertEqual(done.returncode, 2)
-        self.assertIn("two results are to be written to this file", done.stderr)
+        self.assertIn("two results have this file name", done.stderr)
 
     def test_in_the_shell(self):
         path = self.list()

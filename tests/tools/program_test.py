@@ -407,7 +407,7 @@ class WaysOn(InFolder):
         return done.stderr
 
     def test_a_disk_and_a_sphere(self):
-        disk = self.path("disk.off", "OFF\n4 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n3 0 2 3\n")
+        disk = self.path("disk.off", "OFF\n5 4 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n.5 .5 0\n3 0 1 4\n3 1 2 4\n3 2 3 4\n3 3 0 4\n")
         self.assertIn("; --domain circular maps it, --punch makes more holes", self.refused("slit", disk))
         sphere = self.path("sphere.off", "OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n")
         for domain in ("concentric", "circular"):

@@ -279,7 +279,8 @@ class Scripts(unittest.TestCase):
 
     def test_options_for_the_whole_session(self):
         done = pipe("info cPcbbbihq", "Y = fmp2_8", arguments=("--json", "--quiet"))
-        self.assertEqual(json.loads(done.stdout)["signature"], "cPcbbbihq")
+        info, value = (json.loads(line) for line in done.stdout.splitlines())
+        self.assertEqual((info["result"]["signature"], value["name"]), ("cPcbbbihq", "Y"))
 
 
 class Moves(unittest.TestCase):

@@ -16,7 +16,7 @@
 /// images of 0 to 3 in two bits each, from the lowest on; right, Regina's number of the permutation, which is
 /// the rank (core/perm4.hpp) where that has the parity of the permutation, else the rank with its last bit
 /// turned. SnapPea triangulations that Regina keeps as such are SnapPea files (format/snappea.hpp) inside of
-/// <snappea> (left) or <snappeadata label="..."> (right). Packets of other kinds are passed over, by kind.
+/// an element `snappea` (left) or `snappeadata` (right). Packets of other kinds are passed over, by kind.
 /// Found by looking at what Regina 7.3 writes and ships, and at its documentation of `Perm<4>::S4`.
 
 #include "tetrarch/format/collection.hpp"
