@@ -147,7 +147,7 @@ TEST_CASE("Z/a + Z/b is Z/gcd + Z/lcm, and order does not matter", "[abelian]") 
     }
   Random random(5);
   for (int round = 0; round < 100; ++round) {
-    std::vector<Integer> orders;
+    Torsion orders;
     for (int i = 0; i < 6; ++i) orders.push_back(1 + random.below(60));
     const auto factors = invariant_factors(orders);
     Integer product = 1;
