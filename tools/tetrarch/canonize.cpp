@@ -153,6 +153,8 @@ Json isometry_json(const Isomorphism& isometry) {
   return {{"tetrahedra", isometry.tet}, {"vertices", perms}};
 }
 
+constexpr const char* given_triangulations = "triangulations given";
+
 /// The answer, and between which triangulations its isometry goes.
 struct Compared {
   canonical::IsometryAnswer answer{};
@@ -177,7 +179,7 @@ std::optional<Compared> compare_given(const Given& x, const Given& y) {
   Compared compared = told(IsometryAnswer::Verdict::isometric, IsometryAnswer::Proof::isomorphism,
                            "the triangulations given are isomorphic");
   compared.answer.isometry = *std::move(isometry);
-  compared.between = "triangulations given";
+  compared.between = given_triangulations;
   compared.from = x.document.triangulation;
   return compared;
 }
@@ -247,7 +249,8 @@ Result isometric(const std::string& x, const std::string& y, const Context& cont
   result.json["between"] = compared.between;
   result.json["from"] = signature(compared.from);
   result.text +=
-      std::string("tetrahedra of the ") + compared.between + ", of " + x + " to those of " + y + ":\n";
+      std::string(compared.between == given_triangulations ? "tetrahedra of " : "canonical tetrahedra of ") +
+      x + " go to those of " + y + ":\n";
   for (std::size_t t = 0; t < answer.isometry.tet.size(); ++t)
     result.text += "  " + std::to_string(t) + " -> " + std::to_string(answer.isometry.tet[t]) +
                    ", vertices 0123 -> " + answer.isometry.perm[t].str() + "\n";
