@@ -290,6 +290,7 @@ private:
 template <class Scalar>
 std::vector<int> first_tiles(const Tiling<Scalar>& tiling) {
   std::vector<std::pair<double, int>> order;
+  order.reserve(static_cast<std::size_t>(tiling.decorated().tri.size()));
   const Vector4<Scalar> one{Scalar(1), Scalar(1), Scalar(1), Scalar(1)};
   for (int t = 0; t < tiling.decorated().tri.size(); ++t)
     order.emplace_back(static_cast<double>(tiling.product(t, one, one)), t);

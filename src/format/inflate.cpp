@@ -36,12 +36,14 @@ void inflate_one(std::string_view& packed, std::string& out, std::size_t limit, 
   while (result != Z_STREAM_END) {
     if (state.avail_in == 0) {
       const std::size_t size = std::min<std::size_t>(packed.size(), std::numeric_limits<uInt>::max());
-      state.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(packed.data())); // zlib only reads it
+      // zlib only reads these. NOLINTNEXTLINE(cppcoreguidelines-pro-type-reinterpret-cast)
+      state.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(packed.data()));
       state.avail_in = static_cast<uInt>(size);
       packed.remove_prefix(size);
     }
     const std::size_t done = out.size();
     out.resize(done + chunk);
+    // NOLINTNEXTLINE(cppcoreguidelines-pro-type-reinterpret-cast)
     state.next_out = reinterpret_cast<Bytef*>(out.data() + done);
     state.avail_out = chunk;
     result = ::inflate(&state, Z_NO_FLUSH);

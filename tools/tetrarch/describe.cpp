@@ -113,11 +113,12 @@ Named named_command(const std::vector<Command>& table, const std::vector<std::st
   for (; at.words < words.size() && at.command == nullptr; ++at.words) {
     const std::string& word = words[at.words];
     if (word.starts_with("-")) break;
-    const std::string before = at.name.empty() ? "" : at.name + " ";
-    const std::vector<std::string> expected = next_words(table, before);
+    std::string name = at.name.empty() ? "" : at.name + " ";
+    const std::vector<std::string> expected = next_words(table, name);
+    name += word;
     if (std::find(expected.begin(), expected.end(), word) == expected.end())
-      throw InputError("unknown command '" + before + word + "'" + did_you_mean(word, expected));
-    at.name = before + word;
+      throw InputError("unknown command '" + name + "'" + did_you_mean(word, expected));
+    at.name = std::move(name);
     const auto found =
         std::find_if(table.begin(), table.end(), [&at](const Command& c) { return c.name == at.name; });
     if (found != table.end()) at.command = &*found;
