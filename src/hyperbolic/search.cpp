@@ -8,7 +8,7 @@
 #include "tetrarch/moves/simplify.hpp"
 #include "tetrarch/moves/truncate.hpp"
 
-#include <numeric>
+#include <algorithm>
 #include <unordered_set>
 
 namespace tetrarch::hyperbolic {
@@ -20,6 +20,15 @@ void require_searchable(const Triangulation& tri, const Skeleton& skeleton) {
   if (const auto defects = check(skeleton); !defects.empty())
     throw PreconditionError("find_structure: " + describe(defects.front(), skeleton));
 }
+
+/// After so many triangulations without success the search starts anew from another small one. Gluings of up
+/// to four tetrahedra rarely need as many. The larger, the rarer a small triangulation carries the structure,
+/// and the less walks near one that does not help.
+int attempts_between_restarts(int tets) {
+  return std::clamp(500 / tets, 3, 25);
+}
+/// Between the seeds of restarts.
+constexpr std::uint64_t restart_stride = 0x9e3779b97f4a7c15;
 
 /// Boundary components of the input that no vertex of the result stands for.
 int filled_spheres(const moves::Truncation& truncation) {
@@ -93,10 +102,18 @@ private:
     moves::Complex base(simple);
     int base_bad = bad_tet_;
     SplitMix64 random(options_.seed);
+    const int between = attempts_between_restarts(simple.size());
+    int next_restart = found_.attempts + between;
     // Walks that end where somebody has been cost little but must end too.
     const long long most_walks = 20LL * options_.attempts;
     for (long long walk = 0; walk < most_walks && found_.attempts < options_.attempts; ++walk) {
       progress_.step("searching for a structure", static_cast<double>(found_.attempts) / options_.attempts);
+      if (found_.attempts >= next_restart) {
+        next_restart = found_.attempts + between;
+        if (start_anew(simple, most_tets, base)) return;
+        base_bad = bad_tet_ < base.size() ? bad_tet_ : -1;
+        continue;
+      }
       moves::Complex trial = base;
       if (base_bad >= 0 && random.below(2) == 0) stir(trial, base_bad, random);
       moves::shake(trial, 1 + random.below(3 + static_cast<int>(walk % 8)), random);
@@ -108,6 +125,22 @@ private:
       base = std::move(trial);
       base_bad = bad_tet_ < base.size() ? bad_tet_ : -1;
     }
+  }
+
+  /// Puts another triangulation into `base`, as small as can be found from another seed: a large one has many
+  /// local minima, and one in a few of them carries the structure when walks from the others never arrive.
+  /// True if the search is over.
+  bool start_anew(const Triangulation& simple, int most_tets, moves::Complex& base) {
+    SplitMix64 random(options_.seed + static_cast<std::uint64_t>(found_.attempts) * restart_stride);
+    moves::SimplifyOptions how;
+    how.seed = random.next();
+    moves::Complex other(simple);
+    moves::shake(other, 2 * simple.size(), random);
+    const Triangulation fresh = moves::simplified(other.triangulation(), how, progress_.silent());
+    bad_tet_ = -1;
+    if (fresh.size() > most_tets) return false;
+    base = moves::Complex(fresh);
+    return settled(fresh);
   }
 
   /// A move at a tetrahedron that degenerates: it flattens towards an edge or a face, which has to go.

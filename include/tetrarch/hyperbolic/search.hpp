@@ -6,7 +6,8 @@
 /// A structure sits on a triangulation whose tetrahedra all exist in it; another triangulation of the same
 /// manifold may have none. So, until a structure is found or the budget is spent: solve on the triangulation
 /// as it is; on a simplified one; and on ones made from it by 2-3, 3-2 and 4-4 moves, by chance from a seed
-/// and at the tetrahedra that degenerate. No triangulation is solved twice.
+/// and at the tetrahedra that degenerate. Now and then, the sooner the larger, the walk starts anew from
+/// another small triangulation. No triangulation is solved twice.
 ///
 /// Real boundary is coned and truncated first and finite vertices are merged away (moves/truncate.hpp): a
 /// solid stands for its interior with geodesic boundary and cusps, balls filled into its spherical boundary.
