@@ -70,6 +70,14 @@ class Triangulations(Options):
             line = next(l for l in run("skeleton", signature).stdout.splitlines() if l.startswith("vertex 0"))
             self.assertRegex(line, rf"^vertex 0 +{re.escape(link)}: ")
 
+    def test_a_script_that_keeps_going(self):
+        script = self.path("script.txt", "info nothing_here\ninfo cPcbbbihq\n")
+        for arguments, shown in (((), False), (("--keep-going",), True)):
+            done = run("shell", script, *arguments)
+            self.assertEqual((done.returncode, "cPcbbbihq" in done.stdout), (2, shown))
+        good = self.path("good.txt", "info cPcbbbihq\n")
+        self.assertEqual(run("shell", good, "--keep-going").returncode, 0)
+
     def test_a_presentation_saved_is_the_same_when_read(self):
         first, second = self.path("first.json"), self.path("second.json")
         made = self.good("group", "fmp3_77", "--as-given", "-o", first)
