@@ -272,10 +272,14 @@ void require_manifolds(const Triangulation& tri, const std::string& source) {
   if (!defects.empty()) throw InputError({source, 0}, describe(defects.front(), skeleton));
 }
 
-void require_manifold(const Triangulation& tri, const std::string& source) {
-  require_manifolds(tri, source);
+void require_connected(const Triangulation& tri, const std::string& source) {
   if (const int parts = components(tri).count; parts != 1)
     throw InputError({source, 0}, "there are " + std::to_string(parts) + " components (expected one)");
+}
+
+void require_manifold(const Triangulation& tri, const std::string& source) {
+  require_manifolds(tri, source);
+  require_connected(tri, source);
 }
 
 } // namespace tetrarch::program

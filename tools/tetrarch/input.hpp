@@ -67,4 +67,7 @@ void require_manifolds(const Triangulation& tri, const std::string& source);
 /// The same, and unless it is connected.
 void require_manifold(const Triangulation& tri, const std::string& source);
 
+/// Throws InputError unless there is one component. O(n), without the classes that the above needs.
+void require_connected(const Triangulation& tri, const std::string& source);
+
 } // namespace tetrarch::program
