@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "angle_data.hpp"
 
+#include "rounding.hpp"
 #include "tetrarch/hyperbolic/real50.hpp"
 
 #include <algorithm>
@@ -9,12 +10,6 @@
 
 namespace tetrarch::hyperbolic {
 namespace {
-
-/// Half a unit in the last place of 1.
-template <class Scalar>
-Scalar unit() {
-  return std::numeric_limits<Scalar>::epsilon() / 2;
-}
 
 /// A number of which only the size counts: differences add up. A formula evaluated in it bounds the sum of
 /// the sizes of all its terms.

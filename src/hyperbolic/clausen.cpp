@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "clausen.hpp"
 
+#include "rounding.hpp"
 #include "tetrarch/hyperbolic/real50.hpp"
 #include "tetrarch/hyperbolic/volume.hpp"
 
@@ -59,12 +60,6 @@ Scalar odd_series(const std::vector<Scalar>& c, const Scalar& x) {
     even = even * fourth + c[n - 1];
   }
   return x * square * (odd + even * square);
-}
-
-/// Half a unit in the last place of 1.
-template <class Scalar>
-Scalar unit() {
-  return std::numeric_limits<Scalar>::epsilon() / 2;
 }
 
 /// pi less its nearest number of the scalar.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "angle_data.hpp"
 #include "clausen.hpp"
+#include "rounding.hpp"
 #include "tetrarch/hyperbolic/real50.hpp"
 
 #include <algorithm>
@@ -17,11 +18,6 @@ constexpr std::array<std::array<int, 3>, 4> face_edges{{{3, 4, 5}, {1, 2, 5}, {0
 constexpr std::array<std::array<int, 3>, 4> vertex_edges{{{0, 1, 2}, {0, 3, 4}, {1, 3, 5}, {2, 4, 5}}};
 constexpr std::array<std::array<int, 4>, 3> cycle_edges{{{1, 4, 2, 3}, {0, 5, 2, 3}, {0, 5, 1, 4}}};
 constexpr std::array<std::array<int, 6>, 1> all_edges{{{0, 5, 1, 4, 2, 3}}};
-
-template <class Scalar>
-Scalar unit() {
-  return std::numeric_limits<Scalar>::epsilon() / 2;
-}
 
 /// A sum of angles, turns pi + rest.
 template <class Scalar>

@@ -2,6 +2,7 @@
 #include "structure_volume.hpp"
 
 #include "angle_data.hpp"
+#include "rounding.hpp"
 #include "tetrarch/hyperbolic/real50.hpp"
 
 #include <cmath>
@@ -9,11 +10,6 @@
 
 namespace tetrarch::hyperbolic {
 namespace {
-
-template <class Scalar>
-Scalar unit() {
-  return std::numeric_limits<Scalar>::epsilon() / 2;
-}
 
 /// A sum that carries along what its additions round off.
 template <class Scalar>

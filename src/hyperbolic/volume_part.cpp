@@ -1,19 +1,14 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "angle_data.hpp"
+#include "rounding.hpp"
 #include "tetrarch/hyperbolic/real50.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <type_traits>
 
 namespace tetrarch::hyperbolic {
 namespace {
-
-template <class Scalar>
-Scalar unit() {
-  return std::numeric_limits<Scalar>::epsilon() / 2;
-}
 
 /// How far the angles at an ideal vertex are from adding up to pi, at the worst one.
 template <class Scalar>
