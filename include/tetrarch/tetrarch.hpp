@@ -81,6 +81,7 @@
 #include "tetrarch/format/text.hpp"
 #include "tetrarch/format/vtk.hpp"
 #include "tetrarch/hyperbolic/cosine_laws.hpp"
+#include "tetrarch/hyperbolic/cusp.hpp"
 #include "tetrarch/hyperbolic/flow_history.hpp"
 #include "tetrarch/hyperbolic/hyperbolize.hpp"
 #include "tetrarch/hyperbolic/matrix4.hpp"

@@ -7,8 +7,10 @@
 #include "tetrarch/core/error.hpp"
 #include "tetrarch/core/signature.hpp"
 #include "tetrarch/format/json.hpp"
+#include "tetrarch/hyperbolic/cusp.hpp"
 #include "tetrarch/hyperbolic/search.hpp"
 
+#include <array>
 #include <cmath>
 #include <memory>
 #include <sstream>
@@ -41,6 +43,30 @@ Json numbers(const auto& values) {
   return list;
 }
 
+/// An end of the edge lies in a cusp: its length depends on the horosphere there.
+bool into_a_cusp(const Skeleton& skeleton, const Table<VertexId, hyperbolic::VertexType>& types, EdgeId e) {
+  const auto [p, q] = skeleton.ends(e);
+  return types[p] == hyperbolic::VertexType::ideal || types[q] == hyperbolic::VertexType::ideal;
+}
+
+std::string describe(const hyperbolic::Cusp& cusp) {
+  const char* surface = cusp.orientable ? "torus, shape " : "Klein bottle, covered by a torus of shape ";
+  const std::string real = fixed(cusp.shape.real(), 10);
+  return surface + (real == "-0.0000000000" ? real.substr(1) : real) + " + " + fixed(cusp.shape.imag(), 10) +
+         " i";
+}
+
+Json cusps_json(const std::vector<hyperbolic::Cusp>& cusps) {
+  Json list = Json::array();
+  for (const auto& cusp : cusps)
+    list.push_back(Json{{"vertex", cusp.vertex.value},
+                        {"type", cusp.orientable ? "torus" : "Klein bottle"},
+                        {"shape", numbers(std::array{cusp.shape.real(), cusp.shape.imag()})},
+                        {"area", cusp.area},
+                        {"residual", cusp.residual}});
+  return list;
+}
+
 /// The structure as the document's metric: signed lengths where the edge is finite, angles, volume.
 void attach_metric(format::Document& document, const Skeleton& skeleton,
                    const Hyperbolization<double>& found) {
@@ -51,10 +77,8 @@ void attach_metric(format::Document& document, const Skeleton& skeleton,
     metric.dihedral_angles.emplace_back();
     for (int e = 0; e < 6; ++e) {
       const EdgeId edge = skeleton.edge({t, e});
-      const auto [p, q] = skeleton.ends(edge);
-      const bool infinite =
-          types[p] == hyperbolic::VertexType::ideal || types[q] == hyperbolic::VertexType::ideal;
-      if (!infinite) metric.edge_lengths.back()[e] = format::Number(found.lengths[edge]);
+      if (!into_a_cusp(skeleton, types, edge))
+        metric.edge_lengths.back()[e] = format::Number(found.lengths[edge]);
       metric.dihedral_angles.back()[e] = format::Number(found.dihedral_angles[t][e]);
     }
   }
@@ -116,10 +140,14 @@ std::vector<std::pair<std::string, std::string>> rows_of(const hyperbolic::Searc
                                                         {"iterations", std::to_string(found.iterations)}};
   if (!(found.volume_error < last_digit_of_volume))
     rows.insert(rows.begin() + 3, {"error", "volume right to within " + scientific(found.volume_error, 1)});
+  const auto types = hyperbolic::vertex_types(skeleton);
   for (const EdgeId e : all<EdgeId>(found.lengths.size()))
-    rows.emplace_back("edge " + std::to_string(e.value), "length " + fixed(found.lengths[e], 10) +
-                                                             ", valence " +
-                                                             std::to_string(skeleton.valence(e)));
+    rows.emplace_back("edge " + std::to_string(e.value),
+                      "length " + fixed(found.lengths[e], 10) +
+                          (into_a_cusp(skeleton, types, e) ? " to the horosphere" : "") + ", valence " +
+                          std::to_string(skeleton.valence(e)));
+  for (const auto& cusp : hyperbolic::cusps(search.triangulation, skeleton, found.lengths))
+    rows.emplace_back("cusp " + std::to_string(cusp.vertex.value), describe(cusp));
   for (std::size_t t = 0; t < found.dihedral_angles.size(); ++t) {
     std::vector<std::string> angles;
     for (const double a : found.dihedral_angles[t]) angles.push_back(fixed(a, 10));
@@ -153,6 +181,13 @@ Json report_json(const hyperbolic::Search& search, const Skeleton& skeleton) {
   json["edge_lengths"] = numbers(found.lengths);
   json["dihedral_angles"] = Json::array();
   for (const auto& angles : found.dihedral_angles) json["dihedral_angles"].push_back(numbers(angles));
+  if (geometric) {
+    const auto types = hyperbolic::vertex_types(skeleton);
+    json["into_cusps"] = Json::array();
+    for (const EdgeId e : all<EdgeId>(found.lengths.size()))
+      if (into_a_cusp(skeleton, types, e)) json["into_cusps"].push_back(e.value);
+    json["cusps"] = cusps_json(hyperbolic::cusps(search.triangulation, skeleton, found.lengths));
+  }
   json["residual"] = found.residual;
   json["iterations"] = found.iterations;
   return json;
