@@ -6,6 +6,7 @@
 #include "tetrarch/core/error.hpp"
 #include "tetrarch/core/signature.hpp"
 #include "tetrarch/core/union_find.hpp"
+#include "tetrarch/format/document.hpp"
 #include "tetrarch/workshop/text.hpp"
 
 #include <algorithm>

@@ -3,6 +3,7 @@
 
 #include "tetrarch/core/error.hpp"
 #include "tetrarch/core/signature.hpp"
+#include "tetrarch/format/document.hpp"
 #include "tetrarch/workshop/text.hpp"
 
 #include <array>

@@ -2,6 +2,7 @@
 #include "tetrarch/workshop/fields.hpp"
 
 #include "tetrarch/core/signature.hpp"
+#include "tetrarch/format/document.hpp"
 #include "tetrarch/workshop/canonical.hpp"
 #include "tetrarch/workshop/identify.hpp"
 #include "tetrarch/workshop/info.hpp"

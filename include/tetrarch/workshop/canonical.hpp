@@ -6,7 +6,6 @@
 
 #include "tetrarch/canonical/canonize.hpp"
 #include "tetrarch/core/progress.hpp"
-#include "tetrarch/format/document.hpp"
 #include "tetrarch/hyperbolic/search.hpp"
 #include "tetrarch/workshop/fields.hpp"
 #include "tetrarch/workshop/verdict.hpp"
@@ -14,6 +13,10 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+
+namespace tetrarch::format {
+struct Document;
+}
 
 namespace tetrarch::workshop {
 

@@ -7,7 +7,6 @@
 ///     if (found.verdict() == Verdict::yes) use(found.search.structure.volume);
 
 #include "tetrarch/core/progress.hpp"
-#include "tetrarch/format/document.hpp"
 #include "tetrarch/hyperbolic/cusp.hpp"
 #include "tetrarch/hyperbolic/search.hpp"
 #include "tetrarch/workshop/fields.hpp"
@@ -15,6 +14,10 @@
 
 #include <cstdint>
 #include <vector>
+
+namespace tetrarch::format {
+struct Document;
+}
 
 namespace tetrarch::workshop {
 
