@@ -5,20 +5,20 @@
 #include "tetrarch/census/validate.hpp"
 #include "tetrarch/core/error.hpp"
 #include "tetrarch/core/signature.hpp"
-#include "tetrarch/hyperbolic/real50.hpp"
+#include "tetrarch/hyperbolic/hyperbolize.hpp"
+#include "tetrarch/numeric/parallel.hpp"
+#include "tetrarch/numeric/real50.hpp"
 
 #include <algorithm>
 #include <atomic>
 #include <functional>
 #include <map>
-#include <mutex>
 #include <set>
-#include <thread>
 
 namespace tetrarch::census {
 namespace {
 
-using hyperbolic::Real50;
+using numeric::Real50;
 
 /// What a gluing turned out to be.
 struct Candidate {
@@ -27,34 +27,6 @@ struct Candidate {
   bool stuck = false;
   canonical::Canonical canonical;
 };
-
-/// Runs work(k) for k = 0 .. count-1 on some threads; the first exception is thrown again in the caller.
-void in_parallel(int count, int threads, const std::function<void(int)>& work) {
-  std::atomic<int> next{0};
-  std::exception_ptr failure;
-  std::mutex mutex;
-  const auto run = [&] {
-    for (int k = next++; k < count; k = next++) {
-      try {
-        work(k);
-      } catch (...) {
-        const std::lock_guard lock(mutex);
-        if (!failure) failure = std::current_exception();
-        next = count;
-      }
-    }
-  };
-  {
-    std::vector<std::jthread> helpers;
-    for (int k = 1; k < threads; ++k)
-      helpers.emplace_back([&run] {
-        run();
-        hyperbolic::free_thread_cache();
-      });
-    run();
-  }
-  if (failure) std::rethrow_exception(failure);
-}
 
 /// Link surfaces of genus 1 and more, as far as that many tetrahedra can reach: chi(boundary) = 2 (E - T) >=
 /// 2 (1 - T).
@@ -92,7 +64,7 @@ std::vector<Candidate> examine_gluings(int tetrahedra, int threads, const Progre
     if (has_geodesic_boundary(Skeleton(from_signature(text)))) candidates.emplace_back().signature = text;
   std::atomic<int> done{0};
   const int count = static_cast<int>(candidates.size());
-  in_parallel(count, threads, [&](int k) {
+  numeric::parallel_for(count, {threads}, [&](int k) {
     examine(candidates[k], progress.silent());
     progress.step("solving and canonising", static_cast<double>(++done) / count);
   });
@@ -162,7 +134,7 @@ Classification classify_manifolds(int tetrahedra, int threads, const Progress& p
     out.tally.stuck += c.stuck;
   }
   out.manifolds.resize(chosen.size());
-  in_parallel(static_cast<int>(chosen.size()), threads, [&](int k) {
+  numeric::parallel_for(static_cast<int>(chosen.size()), {threads}, [&](int k) {
     progress.step("thirty digits");
     out.manifolds[k] = describe(*chosen[k]);
   });

@@ -5,14 +5,10 @@
 #include "gluings_signature.hpp"
 
 #include "tetrarch/core/error.hpp"
+#include "tetrarch/numeric/parallel.hpp"
 
 #include <algorithm>
 #include <charconv>
-#include <condition_variable>
-#include <exception>
-#include <map>
-#include <mutex>
-#include <thread>
 
 namespace tetrarch::census {
 namespace {
@@ -39,106 +35,33 @@ struct Plan {
   std::vector<GluingSearch::Text> beginnings;
 };
 
-/// Workers take one piece after the other; the results leave in the order of the pieces.
-template <class Item>
-class Workshop {
-public:
-  using Make = std::function<Item(const PartialGluing&)>;
-  using Deliver = std::function<void(Item&&)>;
-
-  Workshop(const Plan& plan, Make make, const Progress& progress)
-      : plan_(plan), make_(std::move(make)), progress_(progress) {}
-
-  void run(int threads, const Deliver& deliver) {
-    std::vector<std::jthread> workers;
-    workers.reserve(static_cast<std::size_t>(threads));
-    const Finally stop{*this};
-    for (int k = 0; k < threads; ++k) workers.emplace_back([this] { work(); });
-    const std::size_t pieces = plan_.beginnings.size();
-    for (std::size_t piece = 0; piece < pieces; ++piece) {
-      progress_.step(stage, static_cast<double>(piece) / static_cast<double>(pieces));
-      for (Item& item : wait_for(piece)) deliver(std::move(item));
-    }
-  }
-
-private:
-  /// Sends the workers home, however `run` is left; it is destroyed before they are joined.
-  struct Finally {
-    Workshop& shop;
-    explicit Finally(Workshop& s) : shop(s) {}
-    Finally(const Finally&) = delete;
-    Finally& operator=(const Finally&) = delete;
-    ~Finally() {
-      const std::lock_guard lock(shop.mutex_);
-      shop.closed_ = true;
-      shop.changed_.notify_all();
-    }
-  };
-
-  void work() {
-    try {
-      GluingSearch search(plan_.rules, progress_);
-      for (std::size_t piece = 0; take(piece);) {
-        std::vector<Item> items;
-        search.complete(plan_.beginnings[piece], plan_.length,
-                        [&](const PartialGluing& gluing) { items.push_back(make_(gluing)); });
-        const std::lock_guard lock(mutex_);
-        done_.emplace(piece, std::move(items));
-        changed_.notify_all();
-      }
-    } catch (...) {
-      const std::lock_guard lock(mutex_);
-      if (!failure_) failure_ = std::current_exception();
-      changed_.notify_all();
-    }
-  }
-
-  /// The next piece, unless the workers are too far ahead of the deliveries: then waits. False: go home.
-  bool take(std::size_t& piece) {
-    constexpr std::size_t max_lead = 256; // bounds the memory where a visitor is slow
-    std::unique_lock lock(mutex_);
-    changed_.wait(lock, [&] { return closed_ || failure_ || taken_ < delivered_ + max_lead; });
-    if (closed_ || failure_ || taken_ == plan_.beginnings.size()) return false;
-    piece = taken_++;
-    return true;
-  }
-
-  std::vector<Item> wait_for(std::size_t piece) {
-    std::unique_lock lock(mutex_);
-    changed_.wait(lock, [&] { return failure_ || done_.contains(piece); });
-    if (failure_) std::rethrow_exception(failure_);
-    std::vector<Item> items = std::move(done_.extract(piece).mapped());
-    delivered_ = piece + 1;
-    changed_.notify_all();
-    return items;
-  }
-
-  const Plan& plan_;
-  Make make_;
-  const Progress& progress_;
-  std::mutex mutex_;
-  std::condition_variable changed_;
-  std::size_t taken_ = 0;
-  std::size_t delivered_ = 0;
-  std::map<std::size_t, std::vector<Item>> done_;
-  std::exception_ptr failure_;
-  bool closed_ = false;
-};
-
-template <class Item>
-void run(const GluingOptions& options, typename Workshop<Item>::Make make,
-         const typename Workshop<Item>::Deliver& deliver, const Progress& progress) {
+/// Delivers what `make` makes of each gluing, in the order of the search, whatever the number of threads.
+template <class Item, class Make, class Deliver>
+void run(const GluingOptions& options, const Make& make, const Deliver& deliver, const Progress& progress) {
   require_sensible(options);
   const Plan plan(options, progress);
+  const auto report = [&](double part) { progress.step(stage, part); };
   if (options.threads > 1) {
-    Workshop<Item>(plan, std::move(make), progress).run(options.threads, deliver);
+    const auto worker = [&] {
+      return [&, search = GluingSearch(plan.rules, progress)](std::size_t piece) mutable {
+        std::vector<Item> items;
+        search.complete(plan.beginnings[piece], plan.length,
+                        [&](const PartialGluing& gluing) { items.push_back(make(gluing)); });
+        return items;
+      };
+    };
+    const auto deliver_all = [&](std::vector<Item>&& items) {
+      for (Item& item : items) deliver(std::move(item));
+    };
+    numeric::gather_in_order<std::vector<Item>>(plan.beginnings.size(), options.threads, worker, deliver_all,
+                                                report);
     return;
   }
   GluingSearch search(plan.rules, progress);
   const auto pieces = static_cast<double>(plan.beginnings.size());
   double piece = 0;
   for (const GluingSearch::Text& beginning : plan.beginnings) {
-    progress.step(stage, piece++ / pieces);
+    report(piece++ / pieces);
     search.complete(beginning, plan.length, [&](const PartialGluing& gluing) { deliver(make(gluing)); });
   }
 }

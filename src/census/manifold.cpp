@@ -4,7 +4,7 @@
 #include "tables.hpp"
 #include "tetrarch/core/error.hpp"
 #include "tetrarch/core/signature.hpp"
-#include "tetrarch/hyperbolic/real50.hpp"
+#include "tetrarch/numeric/real50.hpp"
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
@@ -12,7 +12,7 @@
 namespace tetrarch::census {
 namespace {
 
-using hyperbolic::Real50;
+using numeric::Real50;
 using Json = nlohmann::ordered_json;
 
 constexpr std::string_view format_tag = "tetrarch-census";

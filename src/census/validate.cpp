@@ -3,7 +3,7 @@
 
 #include "tetrarch/core/signature.hpp"
 #include "tetrarch/hyperbolic/hyperbolize.hpp"
-#include "tetrarch/hyperbolic/real50.hpp"
+#include "tetrarch/numeric/real50.hpp"
 
 #include <algorithm>
 #include <array>
@@ -13,7 +13,7 @@
 namespace tetrarch::census {
 namespace {
 
-using hyperbolic::Real50;
+using numeric::Real50;
 
 constexpr std::array<Published, 2> publications{{{2, 8, 1, 8, 0, "Frigerio-Martelli-Petronio 2004"},
                                                  {3, 151, 18, 74, 1, "Frigerio-Martelli-Petronio 2004"}}};

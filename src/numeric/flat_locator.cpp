@@ -1,32 +1,34 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "flat_locator.hpp"
+#include "tetrarch/numeric/flat_locator.hpp"
 
 #include <algorithm>
+#include <boost/geometry/algorithms/distance.hpp>
+#include <boost/geometry/algorithms/intersects.hpp>
+#include <boost/geometry/geometries/box.hpp>
+#include <boost/geometry/geometries/point_xy.hpp>
+#include <boost/geometry/index/rtree.hpp>
+#include <boost/geometry/strategies/strategies.hpp>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <utility>
 
-namespace tetrarch::product {
+namespace tetrarch::numeric {
 namespace {
 
+namespace geometry = boost::geometry;
 using Complex = std::complex<double>;
+using FlatPoint = geometry::model::d2::point_xy<double>;
+using Box = geometry::model::box<FlatPoint>;
+using BoxTree = geometry::index::rtree<std::pair<Box, int>, geometry::index::quadratic<16>>;
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
 
 /// Weights below this are rounding: the point is on the side.
 constexpr double on_side = 1e-10;
-
-double cross(Complex a, Complex b) {
-  return (std::conj(a) * b).imag();
-}
-
-double twice_area(const FlatCorners& p) {
-  return cross(p[1] - p[0], p[2] - p[0]);
-}
-
-std::array<double, 3> weights(const FlatCorners& p, Complex z) {
-  const double whole = twice_area(p);
-  return {cross(p[1] - z, p[2] - z) / whole, cross(p[2] - z, p[0] - z) / whole,
-          cross(p[0] - z, p[1] - z) / whole};
-}
+/// A point whose weights are no less than -on_side is not farther from the triangle than this part of its
+/// extent.
+constexpr double margin = 1e-9;
 
 void tidy(std::array<double, 3>& weight) {
   double sum = 0;
@@ -37,73 +39,121 @@ void tidy(std::array<double, 3>& weight) {
   for (double& x : weight) x /= sum;
 }
 
-struct Box {
-  Complex low;
-  Complex high;
-};
-
-Box box_of(const FlatCorners& p) {
+Box box_of(const FlatTriangle& p) {
   const auto [left, right] = std::minmax({p[0].real(), p[1].real(), p[2].real()});
   const auto [below, above] = std::minmax({p[0].imag(), p[1].imag(), p[2].imag()});
   return {{left, below}, {right, above}};
 }
 
+/// Twice the areas of the triangles between the point and the sides, by opposite corners.
+std::array<double, 3> parts(const FlatTriangle& p, Complex z) {
+  return {cross(p[1] - z, p[2] - z), cross(p[2] - z, p[0] - z), cross(p[0] - z, p[1] - z)};
+}
+
+std::array<double, 3> weights(const FlatTriangle& p, Complex z) {
+  const double whole = twice_area(p);
+  std::array<double, 3> weight = parts(p, z);
+  for (double& x : weight) x /= whole;
+  return weight;
+}
+
+/// The point of the triangle's sides that is nearest to z.
+FlatPlace on_sides(const FlatTriangle& p, Complex z) {
+  FlatPlace best;
+  best.outside = infinite;
+  for (std::size_t c = 0; c < 3; ++c) {
+    const std::size_t next = (c + 1) % 3;
+    const Complex side = p[next] - p[c];
+    const double part = nearest_part(p[c], p[next], z);
+    const double distance = std::abs(p[c] + part * side - z);
+    if (!(distance < best.outside)) continue;
+    best.outside = distance;
+    best.weight = {};
+    best.weight[c] = 1 - part;
+    best.weight[next] = part;
+  }
+  return best;
+}
+
+/// With the depth, negative, as the distance of a point inside.
+FlatPlace by_depth(const FlatTriangle& p, Complex z) {
+  const std::array<double, 3> areas = parts(p, z);
+  if (!(*std::min_element(areas.begin(), areas.end()) >= 0)) return on_sides(p, z);
+  FlatPlace place;
+  place.outside = -infinite;
+  const double sum = areas[0] + areas[1] + areas[2];
+  for (std::size_t c = 0; c < 3; ++c) {
+    place.weight[c] = areas[c] / sum;
+    place.outside = std::max(place.outside, -areas[c] / std::abs(p[(c + 2) % 3] - p[(c + 1) % 3]));
+  }
+  return place;
+}
+
 } // namespace
 
-double nearest_part(Complex from, Complex to, Complex z) {
-  const Complex side = to - from;
-  const double square = std::norm(side);
-  return square > 0 ? std::clamp((std::conj(side) * (z - from)).real() / square, 0.0, 1.0) : 0.0;
-}
+struct FlatLocator::Tree {
+  std::vector<FlatTriangle> triangles;
+  BoxTree boxes; ///< of those that are not turned over
+  double reach = 0;
 
-FlatLocator::FlatLocator(std::vector<FlatCorners> triangles) : triangles_(std::move(triangles)) {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  Box all{{infinity, infinity}, {-infinity, -infinity}};
-  for (const FlatCorners& p : triangles_) {
-    const double twice = twice_area(p);
-    upright_.push_back(static_cast<char>(twice > 0));
+  /// The place of least `outside`; `see(triangle, z)` says how a triangle sees the point. Of equals the first
+  /// that is met stays, or that of the least number.
+  template <class See>
+  FlatPlace least(Complex z, bool least_number, const See& see) const {
+    const FlatPoint point(z.real(), z.imag());
+    FlatPlace best;
+    best.outside = infinite;
+    // Nearest boxes, more and more of them, until all others are farther than the best triangle. Queries that
+    // go on one by one sort all that they have met, which takes too long.
+    double reached = 0;
+    for (std::size_t count = 8; reached <= std::max(best.outside, 0.0); count *= 4) {
+      std::vector<std::pair<Box, int>> near;
+      boxes.query(geometry::index::nearest(point, static_cast<unsigned>(count)), std::back_inserter(near));
+      for (const auto& [box, triangle] : near) {
+        reached = std::max(reached, geometry::distance(point, box));
+        FlatPlace here = see(triangles[triangle], z);
+        here.triangle = triangle;
+        const bool equal = least_number && here.outside == best.outside && triangle < best.triangle;
+        if (here.outside < best.outside || equal) best = here;
+      }
+      if (near.size() == boxes.size()) break;
+    }
+    return best;
+  }
+};
+
+FlatLocator::FlatLocator(std::vector<FlatTriangle> triangles) {
+  std::vector<std::pair<Box, int>> upright;
+  double longest = 0;
+  for (std::size_t t = 0; t < triangles.size(); ++t) {
+    const double twice = twice_area(triangles[t]);
     if (!(twice > 0)) continue;
     area_ += twice / 2;
-    const Box box = box_of(p);
-    all.low = {std::min(all.low.real(), box.low.real()), std::min(all.low.imag(), box.low.imag())};
-    all.high = {std::max(all.high.real(), box.high.real()), std::max(all.high.imag(), box.high.imag())};
+    longest = std::max(longest, longest_squared(triangles[t]));
+    upright.emplace_back(box_of(triangles[t]), static_cast<int>(t));
   }
-  if (!(area_ > 0)) return;
-  const Complex extent = all.high - all.low;
-  width_ = std::sqrt(extent.real() * extent.imag() / static_cast<double>(triangles_.size()));
-  low_ = all.low;
-  columns_ = static_cast<int>(extent.real() / width_) + 1;
-  rows_ = static_cast<int>(extent.imag() / width_) + 1;
-  bucket_.resize(static_cast<std::size_t>(columns_) * rows_);
-  const Complex margin(1e-6 * width_, 1e-6 * width_);
-  for (std::size_t t = 0; t < triangles_.size(); ++t) {
-    if (!upright_[t]) continue;
-    const Box box = box_of(triangles_[t]);
-    const Cell first = cell_of(box.low - margin);
-    const Cell last = cell_of(box.high + margin);
-    for (int row = first.row; row <= last.row; ++row)
-      for (int column = first.column; column <= last.column; ++column)
-        bucket_[row * columns_ + column].push_back(static_cast<int>(t));
-  }
+  tree_ =
+      std::make_shared<const Tree>(Tree{std::move(triangles), BoxTree(upright), margin * std::sqrt(longest)});
 }
 
-FlatLocator::Cell FlatLocator::cell_of(Complex z) const {
-  const Complex at = (z - low_) / width_;
-  return {static_cast<int>(std::clamp(at.real(), 0.0, columns_ - 1.0)),
-          static_cast<int>(std::clamp(at.imag(), 0.0, rows_ - 1.0))};
+bool FlatLocator::empty() const {
+  return tree_->boxes.empty();
 }
 
 FlatPlace FlatLocator::inside(Complex z) const {
+  const Box around{{z.real() - tree_->reach, z.imag() - tree_->reach},
+                   {z.real() + tree_->reach, z.imag() + tree_->reach}};
+  std::vector<std::pair<Box, int>> near;
+  tree_->boxes.query(geometry::index::intersects(around), std::back_inserter(near));
   FlatPlace best;
-  if (bucket_.empty()) return best;
   double depth = -on_side;
-  const Cell cell = cell_of(z);
-  for (const int t : bucket_[cell.row * columns_ + cell.column]) {
-    const std::array<double, 3> weight = weights(triangles_[t], z);
+  for (const auto& [box, triangle] : near) {
+    const std::array<double, 3> weight = weights(tree_->triangles[triangle], z);
     const double least = *std::min_element(weight.begin(), weight.end());
-    if (!(least > depth)) continue;
+    const bool first_of_equals = best.triangle >= 0 && least == depth && triangle < best.triangle;
+    if (!(least > depth) && !first_of_equals) continue;
     depth = least;
-    best = {t, weight, 0};
+    best = {triangle, weight, 0};
   }
   if (best.triangle >= 0) tidy(best.weight);
   return best;
@@ -112,21 +162,15 @@ FlatPlace FlatLocator::inside(Complex z) const {
 FlatPlace FlatLocator::nearest(Complex z) const {
   FlatPlace best = inside(z);
   if (best.triangle >= 0) return best;
-  best.outside = std::numeric_limits<double>::infinity();
-  for (std::size_t t = 0; t < triangles_.size(); ++t)
-    for (std::size_t c = 0; c < 3 && upright_[t]; ++c) {
-      const Complex from = triangles_[t][c];
-      const std::size_t next = (c + 1) % 3;
-      const Complex side = triangles_[t][next] - from;
-      const double part = nearest_part(from, triangles_[t][next], z);
-      const double distance = std::abs(from + part * side - z);
-      if (!(distance < best.outside)) continue;
-      best = {static_cast<int>(t), {}, distance};
-      best.weight[c] = 1 - part;
-      best.weight[next] = part;
-    }
+  best = tree_->least(z, true, on_sides);
   if (best.triangle >= 0) tidy(best.weight);
   return best;
 }
 
-} // namespace tetrarch::product
+FlatPlace FlatLocator::deepest(Complex z) const {
+  FlatPlace best = tree_->least(z, false, by_depth);
+  best.outside = std::max(best.outside, 0.0);
+  return best;
+}
+
+} // namespace tetrarch::numeric

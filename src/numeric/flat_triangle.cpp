@@ -1,34 +1,32 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "flat_triangle.hpp"
+#include "tetrarch/numeric/flat_triangle.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-namespace tetrarch::slit {
+namespace tetrarch::numeric {
 
 using Complex = std::complex<double>;
 
-FlatTriangle laid_flat(const std::vector<std::array<double, 3>>& points,
-                       const mesh::Surface::Triangle& corners) {
-  const auto edge = [&](int c) {
-    std::array<double, 3> e{};
-    for (int k = 0; k < 3; ++k) e[k] = points[corners[c]][k] - points[corners[0]][k];
-    return e;
-  };
-  const auto a = edge(1);
-  const auto b = edge(2);
-  const double length = std::hypot(a[0], a[1], a[2]);
-  const double area =
-      std::hypot(a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]);
-  return {0.0, length, {(a[0] * b[0] + a[1] * b[1] + a[2] * b[2]) / length, area / length}};
+FlatTriangle laid_flat(const std::vector<Point>& points, const std::array<int, 3>& corners) {
+  const Vector a = points[corners[1]] - points[corners[0]];
+  const Vector b = points[corners[2]] - points[corners[0]];
+  const double base = length(a);
+  return {0.0, base, {dot(a, b) / base, length(cross(a, b)) / base}};
 }
 
 double twice_area(const FlatTriangle& p) {
-  return (std::conj(p[1] - p[0]) * (p[2] - p[0])).imag();
+  return cross(p[1] - p[0], p[2] - p[0]);
 }
 
 double longest_squared(const FlatTriangle& p) {
   return std::max({std::norm(p[1] - p[0]), std::norm(p[2] - p[1]), std::norm(p[0] - p[2])});
+}
+
+double nearest_part(Complex from, Complex to, Complex z) {
+  const Complex side = to - from;
+  const double square = std::norm(side);
+  return square > 0 ? std::clamp((std::conj(side) * (z - from)).real() / square, 0.0, 1.0) : 0.0;
 }
 
 double ratio_of_axes(const FlatTriangle& p, const FlatTriangle& q) {
@@ -42,4 +40,4 @@ double ratio_of_axes(const FlatTriangle& p, const FlatTriangle& q) {
   return forward > backward ? (forward + backward) / (forward - backward) : 0.0;
 }
 
-} // namespace tetrarch::slit
+} // namespace tetrarch::numeric

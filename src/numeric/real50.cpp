@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "tetrarch/hyperbolic/real50.hpp"
+#include "tetrarch/numeric/real50.hpp"
 
-namespace tetrarch::hyperbolic {
+namespace tetrarch::numeric {
 
 template <>
 Real50 pi<Real50>() {
@@ -13,4 +13,4 @@ void free_thread_cache() {
   mpfr_free_cache();
 }
 
-} // namespace tetrarch::hyperbolic
+} // namespace tetrarch::numeric

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "tetrarch/mesh/sparse_cholesky.hpp"
-
-#include "tetrarch/core/error.hpp"
+#include "tetrarch/numeric/sparse_cholesky.hpp"
 
 #ifdef TETRARCH_HAS_CHOLMOD
 #include <cholmod.h>
@@ -22,7 +20,7 @@ void openblas_set_num_threads(int threads);
 }
 #endif
 
-namespace tetrarch::mesh {
+namespace tetrarch::numeric {
 
 #ifdef TETRARCH_HAS_CHOLMOD
 
@@ -83,7 +81,7 @@ public:
 
   void check() const {
     if (common_.status == CHOLMOD_OUT_OF_MEMORY) throw std::bad_alloc();
-    if (common_.status == CHOLMOD_TOO_LARGE) throw InputError("the mesh is too large to be factored");
+    if (common_.status == CHOLMOD_TOO_LARGE) throw MatrixTooLarge();
   }
 
 private:
@@ -199,4 +197,4 @@ void SparseCholesky::solve(std::vector<double>& b, std::vector<double>& x) const
   implementation_->solve(b, x);
 }
 
-} // namespace tetrarch::mesh
+} // namespace tetrarch::numeric

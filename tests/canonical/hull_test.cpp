@@ -7,7 +7,7 @@
 #include "tetrarch/canonical/flips.hpp"
 #include "tetrarch/census/gluings.hpp"
 #include "tetrarch/core/signature.hpp"
-#include "tetrarch/hyperbolic/real50.hpp"
+#include "tetrarch/numeric/real50.hpp"
 
 #include <algorithm>
 #include <catch2/catch.hpp>
@@ -16,7 +16,7 @@
 
 using namespace tetrarch;
 using namespace tetrarch::canonical;
-using hyperbolic::Real50;
+using numeric::Real50;
 using support::decorated;
 
 namespace {

@@ -11,7 +11,7 @@
 #include "tetrarch/embed/cover.hpp"
 #include "tetrarch/embed/mobius.hpp"
 #include "tetrarch/embed/model.hpp"
-#include "tetrarch/hyperbolic/real50.hpp"
+#include "tetrarch/numeric/real50.hpp"
 
 #include <algorithm>
 #include <catch2/catch.hpp>
@@ -19,7 +19,7 @@
 
 using namespace tetrarch;
 using namespace tetrarch::embed;
-using hyperbolic::Real50;
+using numeric::Real50;
 
 namespace {
 
@@ -459,7 +459,7 @@ TEST_CASE("the tiling of a boundary covers the disk: areas add up, and copies do
   };
   const auto inside = count(piece);
   CHECK(count(by_words) == inside);
-  const double pi = hyperbolic::pi<double>();
+  const double pi = numeric::pi<double>();
   const double expected = 2 * pi * (std::cosh(radius) - 1) / (4 * pi);
   CHECK(static_cast<double>(inside) == Approx(expected).epsilon(0.15));
 }

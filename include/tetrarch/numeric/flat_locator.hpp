@@ -3,53 +3,52 @@
 
 /// Where points of the plane lie among triangles that cover a part of it.
 ///
-///      +---+---+       The plane is cut into square buckets, about as many as triangles; a bucket knows the
-///      | /\|   |       triangles that reach into it. Of several triangles the one is taken in which the
-///      |/__\   |       point lies deepest, of none the nearest. Triangles that are turned over are left out:
-///      +---+\--+       where the drawing covers the plane once, counted with signs, others cover the same.
+///      +---+---+       A tree of boxes finds the triangles near a point. Triangles that are turned over are
+///      | /\|   |       left out: where the drawing covers the plane once, counted with signs, others cover
+///      |/__\   |       what they cover. Where several triangles cover a point, two measures of depth serve
+///      +---+\--+       two ends:
+///
+/// `inside` and `nearest` go by weights: the triangle in which the least weight of the point is greatest.
+/// Weights within rounding of a side are exactly 0, so that points of a side stay there.
+/// `deepest` goes by distance: the triangle from whose sides the point is farthest.
+///
+/// Where no triangle covers a point, the nearest one is taken.
+
+#include "tetrarch/numeric/flat_triangle.hpp"
 
 #include <array>
 #include <complex>
+#include <memory>
 #include <vector>
 
-namespace tetrarch::product {
-
-using FlatCorners = std::array<std::complex<double>, 3>;
+namespace tetrarch::numeric {
 
 struct FlatPlace {
-  int triangle = -1;              ///< -1 where there are no triangles
-  std::array<double, 3> weight{}; ///< of its corners; exactly 0 on sides
+  int triangle = -1;              ///< -1: none
+  std::array<double, 3> weight{}; ///< of its corners
   double outside = 0;             ///< the distance from the triangle
 };
 
-/// The nearest point to z of the segment from `from` to `to`, as the part of the way.
-double nearest_part(std::complex<double> from, std::complex<double> to, std::complex<double> z);
-
+/// Copies share the tree.
 class FlatLocator {
 public:
-  explicit FlatLocator(std::vector<FlatCorners> triangles);
+  /// O(n log n).
+  explicit FlatLocator(std::vector<FlatTriangle> triangles);
 
-  /// The triangle in which the point is, -1 if there is none. O(triangles in a bucket).
+  /// The triangle in which the point is, none if there is none. O(log n), as a rule, like the others.
   FlatPlace inside(std::complex<double> z) const;
-  /// The same, or the nearest: then O(triangles).
+  /// The same, or the nearest one; none only if there are no triangles.
   FlatPlace nearest(std::complex<double> z) const;
+  /// By distance; none only if there are no triangles.
+  FlatPlace deepest(std::complex<double> z) const;
+
+  bool empty() const;                   ///< whether all triangles are turned over
   double area() const { return area_; } ///< of all triangles that are not turned over
 
 private:
-  struct Cell {
-    int column = 0;
-    int row = 0;
-  };
-  Cell cell_of(std::complex<double> z) const;
-
-  std::vector<FlatCorners> triangles_;
-  std::vector<char> upright_;
-  std::complex<double> low_;
-  double width_ = 1; ///< of a bucket
-  int columns_ = 1;
-  int rows_ = 1;
-  std::vector<std::vector<int>> bucket_;
+  struct Tree;
+  std::shared_ptr<const Tree> tree_;
   double area_ = 0;
 };
 
-} // namespace tetrarch::product
+} // namespace tetrarch::numeric

@@ -6,11 +6,11 @@
 /// The limbs live in the object itself, so that no arithmetic allocates, and expression templates are off:
 /// the sums here are short, and what the formula says is what is computed.
 
-#include "tetrarch/hyperbolic/scalar.hpp"
+#include "tetrarch/numeric/scalar.hpp"
 
 #include <boost/multiprecision/mpfr.hpp>
 
-namespace tetrarch::hyperbolic {
+namespace tetrarch::numeric {
 
 using Real50 = boost::multiprecision::number<
     boost::multiprecision::mpfr_float_backend<60, boost::multiprecision::allocate_stack>,
@@ -19,8 +19,4 @@ using Real50 = boost::multiprecision::number<
 template <>
 Real50 pi<Real50>();
 
-/// Gives back what MPFR caches for the calling thread (digits of pi and the like). A thread that computed
-/// with Real50 calls it last, or the cache is lost with the thread.
-void free_thread_cache();
-
-} // namespace tetrarch::hyperbolic
+} // namespace tetrarch::numeric

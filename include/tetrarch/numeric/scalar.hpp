@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
-/// The number types that the hyperbolic rooms compute with.
+/// The number types that formulas are computed with.
 ///
-/// Every formula is a template over its scalar and is instantiated for `double` and for `Real50` (60 decimal
+/// A formula that is a template over its scalar is instantiated for `double` and for `Real50` (60 decimal
 /// digits by MPFR, see real50.hpp, which is heavy and therefore included only by those who compute with it).
-/// The definitions stand in src/hyperbolic; a third scalar needs one line of instantiation in each file
-/// there.
+/// The list of scalars is instantiate.hpp.
 
+#include <limits>
 #include <numbers>
 
-namespace tetrarch::hyperbolic {
+namespace tetrarch::numeric {
 
 /// Half a turn, to the full precision of the scalar.
 template <class Scalar>
@@ -20,4 +20,15 @@ inline double pi<double>() {
   return std::numbers::pi;
 }
 
-} // namespace tetrarch::hyperbolic
+/// What bounds of rounding errors are counted in. Half a unit in the last place of 1: the greatest relative
+/// error of one operation.
+template <class Scalar>
+Scalar unit() {
+  return std::numeric_limits<Scalar>::epsilon() / 2;
+}
+
+/// Gives back what MPFR caches for the calling thread (digits of pi and the like). A thread that computed
+/// with Real50 calls it last, or the cache is lost with the thread.
+void free_thread_cache();
+
+} // namespace tetrarch::numeric

@@ -9,9 +9,15 @@
 /// the order of sums. The two libraries agree up to rounding.
 
 #include <memory>
+#include <stdexcept>
 #include <vector>
 
-namespace tetrarch::mesh {
+namespace tetrarch::numeric {
+
+/// A matrix has more entries than CHOLMOD can count.
+struct MatrixTooLarge : std::length_error {
+  MatrixTooLarge() : std::length_error("the mesh is too large to be factored") {}
+};
 
 /// The lower triangle of a symmetric matrix by columns: entries first[j] .. first[j+1]-1 are in column j, in
 /// increasing rows, the one on the diagonal, which must be there, first.
@@ -26,7 +32,7 @@ struct SymmetricMatrix {
 /// The Cholesky factorization of a sparse symmetric matrix.
 class SparseCholesky {
 public:
-  /// Analyzes the pattern, whatever the values.
+  /// Analyzes the pattern, whatever the values. Throws MatrixTooLarge.
   explicit SparseCholesky(const SymmetricMatrix& pattern);
   ~SparseCholesky();
   SparseCholesky(SparseCholesky&&) noexcept;
@@ -43,4 +49,4 @@ private:
   std::unique_ptr<Implementation> implementation_;
 };
 
-} // namespace tetrarch::mesh
+} // namespace tetrarch::numeric

@@ -8,7 +8,7 @@
 
 #include <vector>
 
-namespace tetrarch {
+namespace tetrarch::numeric {
 
 /// The root of x's class. Halves the path on the way, which makes a sequence of finds near-linear.
 inline int find_root(std::vector<int>& parent, int x) {
@@ -16,4 +16,4 @@ inline int find_root(std::vector<int>& parent, int x) {
   return x;
 }
 
-} // namespace tetrarch
+} // namespace tetrarch::numeric

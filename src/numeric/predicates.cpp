@@ -1,26 +1,26 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "tetrarch/mesh/volume_sign.hpp"
+#include "tetrarch/numeric/predicates.hpp"
 
 #include <algorithm>
 #include <boost/multiprecision/gmp.hpp>
 #include <cmath>
 #include <limits>
 
-namespace tetrarch::mesh {
+namespace tetrarch::numeric {
 namespace {
 
 using Rational = boost::multiprecision::mpq_rational;
 
 template <class T>
-using Vector = std::array<T, 3>;
+using VectorOf = std::array<T, 3>;
 
 template <class T>
-Vector<T> difference(const std::array<double, 3>& p, const std::array<double, 3>& q) {
+VectorOf<T> difference(const Point& p, const Point& q) {
   return {T(p[0]) - T(q[0]), T(p[1]) - T(q[1]), T(p[2]) - T(q[2])};
 }
 
 template <class T>
-T determinant(const Vector<T>& x, const Vector<T>& y, const Vector<T>& z) {
+T determinant(const VectorOf<T>& x, const VectorOf<T>& y, const VectorOf<T>& z) {
   const T first = x[0] * (y[1] * z[2] - y[2] * z[1]);
   const T second = x[1] * (y[2] * z[0] - y[0] * z[2]);
   const T third = x[2] * (y[0] * z[1] - y[1] * z[0]);
@@ -28,13 +28,13 @@ T determinant(const Vector<T>& x, const Vector<T>& y, const Vector<T>& z) {
 }
 
 /// The determinant with every sign taken positive.
-double permanent(const Vector<double>& x, const Vector<double>& y, const Vector<double>& z) {
+double permanent(const VectorOf<double>& x, const VectorOf<double>& y, const VectorOf<double>& z) {
   const auto a = [](double value) { return std::fabs(value); };
   return a(x[0]) * (a(y[1] * z[2]) + a(y[2] * z[1])) + a(x[1]) * (a(y[2] * z[0]) + a(y[0] * z[2])) +
          a(x[2]) * (a(y[0] * z[1]) + a(y[1] * z[0]));
 }
 
-double largest(const Vector<double>& x) {
+double largest(const VectorOf<double>& x) {
   return std::max({std::fabs(x[0]), std::fabs(x[1]), std::fabs(x[2])});
 }
 
@@ -48,18 +48,17 @@ constexpr double least_determinant = 1e-200;
 
 } // namespace
 
-int volume_sign(const std::array<double, 3>& a, const std::array<double, 3>& b,
-                const std::array<double, 3>& c, const std::array<double, 3>& d) {
+Sign volume_sign(const Point& a, const Point& b, const Point& c, const Point& d) {
   const auto x = difference<double>(b, a);
   const auto y = difference<double>(c, a);
   const auto z = difference<double>(d, a);
   const double det = determinant(x, y, z);
   const double least = least_determinant + relative_error * permanent(x, y, z);
   const bool in_range = std::max({largest(x), largest(y), largest(z)}) < longest_difference;
-  if (in_range && std::fabs(det) > least) return det > 0 ? 1 : -1;
+  if (const Sign sign = sign_beyond(det, least); in_range && sign != Sign::undecided) return sign;
   const Rational exact =
       determinant(difference<Rational>(b, a), difference<Rational>(c, a), difference<Rational>(d, a));
-  return exact.sign();
+  return static_cast<Sign>(exact.sign());
 }
 
-} // namespace tetrarch::mesh
+} // namespace tetrarch::numeric

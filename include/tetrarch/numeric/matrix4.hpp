@@ -6,7 +6,7 @@
 
 #include <array>
 
-namespace tetrarch::hyperbolic {
+namespace tetrarch::numeric {
 
 template <class Scalar>
 using Matrix4 = std::array<std::array<Scalar, 4>, 4>;
@@ -67,4 +67,4 @@ Matrix4<Scalar> adjugate(const Matrix4<Scalar>& m) {
   return adjugate(m, Minors<Scalar>(m));
 }
 
-} // namespace tetrarch::hyperbolic
+} // namespace tetrarch::numeric

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "tetrarch/hyperbolic/matrix4.hpp"
+#include "tetrarch/numeric/matrix4.hpp"
 
 #include "support/random.hpp"
 
@@ -7,7 +7,7 @@
 #include <catch2/catch.hpp>
 
 using namespace tetrarch;
-using namespace tetrarch::hyperbolic;
+using namespace tetrarch::numeric;
 
 namespace {
 
