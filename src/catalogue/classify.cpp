@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "tetrarch/algebra/homology.hpp"
 #include "tetrarch/canonical/canonize.hpp"
-#include "tetrarch/census/gluings.hpp"
-#include "tetrarch/census/validate.hpp"
+#include "tetrarch/catalogue/validate.hpp"
 #include "tetrarch/core/error.hpp"
 #include "tetrarch/core/signature.hpp"
+#include "tetrarch/enumeration/gluings.hpp"
 #include "tetrarch/hyperbolic/hyperbolize.hpp"
 #include "tetrarch/numeric/parallel.hpp"
 #include "tetrarch/numeric/real50.hpp"
@@ -15,7 +15,7 @@
 #include <map>
 #include <set>
 
-namespace tetrarch::census {
+namespace tetrarch::catalogue {
 namespace {
 
 using numeric::Real50;
@@ -30,8 +30,8 @@ struct Candidate {
 
 /// Link surfaces of genus 1 and more, as far as that many tetrahedra can reach: chi(boundary) = 2 (E - T) >=
 /// 2 (1 - T).
-LinkSet qualifying_links(int tetrahedra) {
-  LinkSet links;
+enumeration::LinkSet qualifying_links(int tetrahedra) {
+  enumeration::LinkSet links;
   for (int genus = 1; genus <= tetrahedra; ++genus) links.genera.push_back(genus);
   return links;
 }
@@ -53,14 +53,14 @@ void examine(Candidate& candidate, const Progress& progress) {
 }
 
 std::vector<Candidate> examine_gluings(int tetrahedra, int threads, const Progress& progress) {
-  GluingOptions options;
+  enumeration::GluingOptions options;
   options.tetrahedra = tetrahedra;
-  options.orientability = GluingOptions::Orientability::orientable;
+  options.orientability = enumeration::GluingOptions::Orientability::orientable;
   options.links = qualifying_links(tetrahedra);
   options.min_valence = 3; // fewer tetrahedra around an edge never close up to 2 pi
   options.threads = threads;
   std::vector<Candidate> candidates;
-  for (const std::string& text : gluing_signatures(options, progress))
+  for (const std::string& text : enumeration::gluing_signatures(options, progress))
     if (has_geodesic_boundary(Skeleton(from_signature(text)))) candidates.emplace_back().signature = text;
   std::atomic<int> done{0};
   const int count = static_cast<int>(candidates.size());
@@ -146,4 +146,4 @@ Classification classify_manifolds(int tetrahedra, int threads, const Progress& p
   return out;
 }
 
-} // namespace tetrarch::census
+} // namespace tetrarch::catalogue

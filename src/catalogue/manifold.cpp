@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "tetrarch/census/manifold.hpp"
+#include "tetrarch/catalogue/manifold.hpp"
 
 #include "tables.hpp"
 #include "tetrarch/core/error.hpp"
@@ -7,10 +7,15 @@
 #include "tetrarch/numeric/real50.hpp"
 
 #include <algorithm>
+#include <array>
+#include <mutex>
 #include <nlohmann/json.hpp>
 
-namespace tetrarch::census {
+namespace tetrarch::catalogue {
 namespace {
+
+/// Tables of more are not looked for.
+constexpr int most_tetrahedra = 9;
 
 using numeric::Real50;
 using Json = nlohmann::ordered_json;
@@ -147,22 +152,26 @@ std::string_view stored_table_text(int tetrahedra) {
   return {};
 }
 
-std::vector<Manifold> stored_table(int tetrahedra) {
-  const std::string_view text = stored_table_text(tetrahedra);
-  if (text.empty()) return {};
-  return read_table(text, "census table of " + std::to_string(tetrahedra) + " tetrahedra");
+const std::vector<Manifold>& stored_table(int tetrahedra) {
+  static std::array<std::once_flag, most_tetrahedra + 1> is_read;
+  static std::array<std::vector<Manifold>, most_tetrahedra + 1> tables; // the first stays empty
+  const int n = tetrahedra > most_tetrahedra ? 0 : std::max(tetrahedra, 0);
+  std::call_once(is_read[n], [n] {
+    const std::string_view text = stored_table_text(n);
+    if (!text.empty()) tables[n] = read_table(text, "census table of " + std::to_string(n) + " tetrahedra");
+  });
+  return tables[n];
 }
 
 std::vector<int> stored_tables() {
   std::vector<int> found;
-  constexpr int most = 9;
-  for (int n = 1; n <= most; ++n)
+  for (int n = 1; n <= most_tetrahedra; ++n)
     if (!stored_table_text(n).empty()) found.push_back(n);
   return found;
 }
 
-std::vector<Manifold> require_table(int tetrahedra) {
-  std::vector<Manifold> table = stored_table(tetrahedra);
+const std::vector<Manifold>& require_table(int tetrahedra) {
+  const std::vector<Manifold>& table = stored_table(tetrahedra);
   if (!table.empty()) return table;
   std::string stored;
   for (const int n : stored_tables()) stored += (stored.empty() ? "" : ", ") + std::to_string(n);
@@ -173,10 +182,10 @@ std::vector<Manifold> require_table(int tetrahedra) {
 std::optional<Manifold> find_by_name(std::string_view name) {
   for (const int n : stored_tables()) {
     if (name.substr(0, 5) != "fmp" + std::to_string(n) + "_") continue;
-    for (Manifold& m : stored_table(n))
-      if (m.name == name) return std::move(m);
+    for (const Manifold& m : stored_table(n))
+      if (m.name == name) return m;
   }
   return std::nullopt;
 }
 
-} // namespace tetrarch::census
+} // namespace tetrarch::catalogue

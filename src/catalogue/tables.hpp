@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
-namespace tetrarch::census::detail {
+namespace tetrarch::catalogue::detail {
 
 const std::vector<std::string_view>& embedded_tables();
 
-} // namespace tetrarch::census::detail
+} // namespace tetrarch::catalogue::detail

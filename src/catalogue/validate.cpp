@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "tetrarch/census/validate.hpp"
+#include "tetrarch/catalogue/validate.hpp"
 
 #include "tetrarch/core/signature.hpp"
 #include "tetrarch/hyperbolic/hyperbolize.hpp"
@@ -10,7 +10,7 @@
 #include <cmath>
 #include <map>
 
-namespace tetrarch::census {
+namespace tetrarch::catalogue {
 namespace {
 
 using numeric::Real50;
@@ -100,7 +100,7 @@ std::optional<Published> published(int tetrahedra) {
 }
 
 Validation validate(int tetrahedra, int threads, const Progress& progress) {
-  const std::vector<Manifold> table = require_table(tetrahedra);
+  const std::vector<Manifold>& table = require_table(tetrahedra);
   Validation out;
   out.tetrahedra = tetrahedra;
   const Classification fresh = classify_manifolds(tetrahedra, threads, progress);
@@ -115,4 +115,4 @@ Validation validate(int tetrahedra, int threads, const Progress& progress) {
   return out;
 }
 
-} // namespace tetrarch::census
+} // namespace tetrarch::catalogue

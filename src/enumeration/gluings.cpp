@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "tetrarch/census/gluings.hpp"
+#include "tetrarch/enumeration/gluings.hpp"
 
 #include "gluings_search.hpp"
 #include "gluings_signature.hpp"
@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <charconv>
 
-namespace tetrarch::census {
+namespace tetrarch::enumeration {
 namespace {
 
 constexpr std::string_view stage = "gluings";
@@ -116,4 +116,4 @@ std::int64_t count_gluings(const GluingOptions& options, const Progress& progres
   return count;
 }
 
-} // namespace tetrarch::census
+} // namespace tetrarch::enumeration

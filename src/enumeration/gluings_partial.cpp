@@ -3,7 +3,7 @@
 
 #include <bitset>
 
-namespace tetrarch::census {
+namespace tetrarch::enumeration {
 namespace {
 
 std::uint64_t bit(int position) {
@@ -190,4 +190,4 @@ Triangulation PartialGluing::triangulation() const {
   return tri;
 }
 
-} // namespace tetrarch::census
+} // namespace tetrarch::enumeration

@@ -10,13 +10,13 @@
 /// union-find, and a link whose last open arc goes has its type decided.
 /// Nothing is ever undone: a search keeps one such value for each depth and copies (64 bytes a tetrahedron).
 
-#include "tetrarch/census/gluings.hpp"
+#include "tetrarch/enumeration/gluings.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cstdint>
 
-namespace tetrarch::census {
+namespace tetrarch::enumeration {
 
 /// The options in the form in which the search asks for them.
 struct GluingRules {
@@ -109,4 +109,4 @@ private:
   std::array<TetPart, max_tets> part_;
 };
 
-} // namespace tetrarch::census
+} // namespace tetrarch::enumeration

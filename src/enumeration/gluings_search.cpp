@@ -3,7 +3,7 @@
 
 #include <utility>
 
-namespace tetrarch::census {
+namespace tetrarch::enumeration {
 namespace {
 
 /// Reads a partial gluing from one flag, as far as it goes, beside a text to compare with.
@@ -174,4 +174,4 @@ void GluingSearch::accept(int depth, int face, RivalFlags::Letter letter) {
   if (next.rivals.update(next.gluing, face, text_)) extend(depth + 1, face + 1);
 }
 
-} // namespace tetrarch::census
+} // namespace tetrarch::enumeration

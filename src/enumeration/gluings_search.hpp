@@ -20,7 +20,7 @@
 #include <functional>
 #include <vector>
 
-namespace tetrarch::census {
+namespace tetrarch::enumeration {
 
 /// Which flags may still read a smaller text than (0, 0123), and which open face each of them waits for.
 class RivalFlags {
@@ -90,4 +90,4 @@ private:
   unsigned steps_ = 0;
 };
 
-} // namespace tetrarch::census
+} // namespace tetrarch::enumeration

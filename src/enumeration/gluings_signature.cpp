@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "gluings_signature.hpp"
 
-namespace tetrarch::census {
+namespace tetrarch::enumeration {
 namespace {
 
 enum FaceType : int { new_tet = 1, old_tet = 2 };
@@ -177,4 +177,4 @@ void SignatureWriter::keep() {
   for (int j = 0; j < joins_; ++j) best_perm_[j] = static_cast<std::uint8_t>(perm_of_join(j).rank());
 }
 
-} // namespace tetrarch::census
+} // namespace tetrarch::enumeration

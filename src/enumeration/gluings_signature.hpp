@@ -12,7 +12,7 @@
 
 #include <string>
 
-namespace tetrarch::census {
+namespace tetrarch::enumeration {
 
 /// Writes signatures of complete gluings, one after the other.
 class SignatureWriter {
@@ -55,4 +55,4 @@ private:
   std::array<std::uint8_t, static_cast<std::size_t>(max_pairs)> best_perm_{};
 };
 
-} // namespace tetrarch::census
+} // namespace tetrarch::enumeration

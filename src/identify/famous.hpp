@@ -7,7 +7,7 @@
 #include <array>
 #include <string_view>
 
-namespace tetrarch::census::detail {
+namespace tetrarch::identify::detail {
 
 struct Famous {
   std::string_view isometry_signature;
@@ -35,4 +35,4 @@ inline constexpr std::array<Famous, 6> famous{{
      {"Borromean rings", "6^3_2", "L6a4"}},
 }};
 
-} // namespace tetrarch::census::detail
+} // namespace tetrarch::identify::detail

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "tetrarch/census/identify.hpp"
+#include "tetrarch/identify/identify.hpp"
 
 #include "famous.hpp"
 #include "tetrarch/canonical/canonize.hpp"
-#include "tetrarch/census/recognise.hpp"
 #include "tetrarch/core/boundary.hpp"
 #include "tetrarch/hyperbolic/search.hpp"
+#include "tetrarch/identify/recognise.hpp"
 #include "tetrarch/moves/simplify.hpp"
 
 #include <array>
@@ -13,14 +13,14 @@
 #include <unordered_map>
 #include <utility>
 
-namespace tetrarch::census {
+namespace tetrarch::identify {
 namespace {
 
 using By = Identification::By;
 
 struct Known {
   std::string name;
-  std::optional<Manifold> manifold;
+  std::optional<catalogue::Manifold> manifold;
 };
 
 /// By isometry signature. Built at the first call, which other threads wait for.
@@ -29,12 +29,9 @@ const std::unordered_map<std::string, Known>& known_manifolds() {
     std::unordered_map<std::string, Known> all;
     for (const detail::Famous& f : detail::famous)
       all.emplace(f.isometry_signature, Known{std::string(f.name), {}});
-    for (const int n : stored_tables())
-      for (Manifold& m : stored_table(n)) {
-        std::string key = m.canonical_signature;
-        std::string name = m.name.empty() ? m.signature : m.name;
-        all.emplace(std::move(key), Known{std::move(name), std::move(m)});
-      }
+    for (const int n : catalogue::stored_tables())
+      for (const catalogue::Manifold& m : catalogue::stored_table(n))
+        all.emplace(m.canonical_signature, Known{m.name.empty() ? m.signature : m.name, m});
     return all;
   }();
   return known;
@@ -42,7 +39,7 @@ const std::unordered_map<std::string, Known>& known_manifolds() {
 
 /// The number of tetrahedra of the last one.
 int largest_table() {
-  const std::vector<int> tables = stored_tables();
+  const std::vector<int> tables = catalogue::stored_tables();
   return tables.empty() ? 0 : tables.back();
 }
 
@@ -176,4 +173,4 @@ Identification identify(const Triangulation& tri, const IdentifyOptions& options
   return Identifier(tri, options, progress).run();
 }
 
-} // namespace tetrarch::census
+} // namespace tetrarch::identify

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "tetrarch/census/names.hpp"
+#include "tetrarch/identify/names.hpp"
 
 #include "famous.hpp"
-#include "tetrarch/census/manifold.hpp"
+#include "tetrarch/catalogue/manifold.hpp"
 #include "tetrarch/core/error.hpp"
 #include "tetrarch/core/signature.hpp"
 #include "tetrarch/moves/simplify.hpp"
@@ -12,7 +12,7 @@
 #include <charconv>
 #include <numeric>
 
-namespace tetrarch::census {
+namespace tetrarch::identify {
 namespace {
 
 /// Closed manifolds and handlebodies without parameters: Regina's ready-made examples, by their signatures.
@@ -149,7 +149,7 @@ std::optional<Named> lens_space_called(std::string_view name) {
 }
 
 std::optional<Named> listed(std::string_view name) {
-  if (const auto manifold = find_by_name(name))
+  if (const auto manifold = catalogue::find_by_name(name))
     return Named{manifold->name, from_signature(manifold->signature)};
   for (const detail::Famous& f : detail::famous)
     if (name == f.name || std::find(f.aliases.begin(), f.aliases.end(), name) != f.aliases.end())
@@ -189,9 +189,9 @@ std::optional<Named> find_named(std::string_view name) {
 
 std::vector<std::string> listed_names() {
   std::vector<std::string> names;
-  for (const int n : stored_tables())
-    for (Manifold& m : stored_table(n))
-      if (!m.name.empty()) names.push_back(std::move(m.name));
+  for (const int n : catalogue::stored_tables())
+    for (const catalogue::Manifold& m : catalogue::stored_table(n))
+      if (!m.name.empty()) names.push_back(m.name);
   for (const detail::Famous& f : detail::famous) {
     names.emplace_back(f.name);
     for (const std::string_view alias : f.aliases)
@@ -201,4 +201,4 @@ std::vector<std::string> listed_names() {
   return names;
 }
 
-} // namespace tetrarch::census
+} // namespace tetrarch::identify

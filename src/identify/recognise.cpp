@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "tetrarch/census/recognise.hpp"
+#include "tetrarch/identify/recognise.hpp"
 
 #include "tetrarch/algebra/group.hpp"
 #include "tetrarch/algebra/homology.hpp"
@@ -13,7 +13,7 @@
 #include <optional>
 #include <utility>
 
-namespace tetrarch::census {
+namespace tetrarch::identify {
 namespace {
 
 using algebra::Integer;
@@ -302,4 +302,4 @@ Recognition recognise(const Triangulation& tri, const Progress& progress) {
   return found;
 }
 
-} // namespace tetrarch::census
+} // namespace tetrarch::identify

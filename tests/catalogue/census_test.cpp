@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "tetrarch/census/validate.hpp"
+#include "tetrarch/catalogue/validate.hpp"
 
 #include "tetrarch/algebra/homology.hpp"
 #include "tetrarch/algebra/torsion.hpp"
@@ -13,7 +13,7 @@
 #include <set>
 
 using namespace tetrarch;
-using namespace tetrarch::census;
+using namespace tetrarch::catalogue;
 
 TEST_CASE("the tables have the published counts", "[census]") {
   // Frigerio, Martelli, Petronio, "Small hyperbolic 3-manifolds with geodesic boundary", 2004, tables 1 to 3.

@@ -4,7 +4,7 @@
 
 #include "hyperbolic/samples.hpp"
 #include "src/embed/isometry_table.hpp"
-#include "tetrarch/census/manifold.hpp"
+#include "tetrarch/catalogue/manifold.hpp"
 #include "tetrarch/core/error.hpp"
 #include "tetrarch/core/signature.hpp"
 #include "tetrarch/embed/boundary.hpp"
@@ -44,7 +44,7 @@ const std::string both_kinds = "dLQacccjjkg";
 const std::string gieseking = "bkaaid";
 
 Embedded census_entry(const std::string& name) {
-  return Embedded(census::find_by_name(name)->signature);
+  return Embedded(catalogue::find_by_name(name)->signature);
 }
 
 double max_difference(const Vector4<double>& v, const Vector4<double>& w) {

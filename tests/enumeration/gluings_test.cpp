@@ -3,7 +3,7 @@
 /// number of labelled gluings of more by formula, met again as a sum of orbits; and the lists that another
 /// program, Regina's tricensus, prints (tests/oracle/record_gluings.py).
 
-#include "tetrarch/census/gluings.hpp"
+#include "tetrarch/enumeration/gluings.hpp"
 
 #include "tetrarch/core/check.hpp"
 #include "tetrarch/core/error.hpp"
@@ -24,7 +24,7 @@
 #include <vector>
 
 using namespace tetrarch;
-using namespace tetrarch::census;
+using namespace tetrarch::enumeration;
 using Orientability = GluingOptions::Orientability;
 using Signatures = std::vector<std::string>;
 

@@ -4,8 +4,8 @@
 #include "support/links.hpp"
 #include "support/zoo.hpp"
 #include "tetrarch/algebra/homology.hpp"
-#include "tetrarch/census/identify.hpp"
 #include "tetrarch/core/error.hpp"
+#include "tetrarch/identify/identify.hpp"
 #include "tetrarch/moves/simplify.hpp"
 #include "tetrarch/moves/subdivide.hpp"
 
@@ -16,7 +16,8 @@
 #include <thread>
 
 using namespace tetrarch;
-using namespace tetrarch::census;
+using namespace tetrarch::catalogue;
+using namespace tetrarch::identify;
 using namespace tetrarch::support;
 using By = Identification::By;
 
@@ -47,7 +48,7 @@ Triangulation grown(const Triangulation& small, int size, std::uint64_t seed) {
 
 std::vector<Manifold> both_tables() {
   std::vector<Manifold> all = stored_table(2);
-  for (Manifold& m : stored_table(3)) all.push_back(std::move(m));
+  for (const Manifold& m : stored_table(3)) all.push_back(m);
   return all;
 }
 
@@ -63,7 +64,7 @@ void check_round_trips(const std::vector<Manifold>& manifolds, std::size_t step,
     const Manifold& m = manifolds[k];
     const Triangulation tri = grown(from_signature(m.signature), size, 7 + k);
     REQUIRE(tri.size() >= size - size / 100); // shaking may take a few away
-    const Identification found = identify(tri);
+    const Identification found = identify::identify(tri);
     INFO(m.name << " of " << tri.size() << " tetrahedra: " << told(found));
     CHECK(found.name == m.name);
     CHECK(found.by == By::isometry_signature);
@@ -99,7 +100,7 @@ TEST_CASE("cusped manifolds of fame are known by name", "[identify]") {
       {"Borromean rings", "Borromean rings complement"}};
   for (const auto& [link, name] : names) {
     const NamedLink& known = named_link(link);
-    const Identification found = identify(triangulation_of(exterior(known.grid)));
+    const Identification found = identify::identify(triangulation_of(exterior(known.grid)));
     INFO(link << ": " << told(found));
     CHECK(found.name == name);
     CHECK(found.volume.value_or(0) == Approx(known.volume).epsilon(1e-12));
@@ -116,7 +117,7 @@ TEST_CASE("cusped manifolds of fame are known by name", "[identify]") {
       {"Gieseking manifold m000", "Gieseking manifold (m000)", 2.029883212819 / 2},
       {"figure-eight sister m003", "figure-eight sister (m003)", 2.029883212819}};
   for (const auto& [entry, name, volume] : others) {
-    const Identification found = identify(grown(zoo(entry).triangulation(), 1000, 3));
+    const Identification found = identify::identify(grown(zoo(entry).triangulation(), 1000, 3));
     INFO(entry << ": " << told(found));
     CHECK(found.name == name);
     CHECK(found.volume.value_or(0) == Approx(volume).epsilon(1e-12));
@@ -131,7 +132,7 @@ TEST_CASE("without a structure the triangulation or the group may tell", "[ident
       {"genus 2 handlebody", "genus 2 handlebody", By::group},
       {"solid Klein bottle", "solid Klein bottle", By::group}};
   for (const auto& [entry, name, by] : names) {
-    const Identification found = identify(moves::barycentric(zoo(entry).triangulation()).tri);
+    const Identification found = identify::identify(moves::barycentric(zoo(entry).triangulation()).tri);
     INFO(entry << ": " << told(found));
     CHECK(found.name == name);
     CHECK(found.by == by);
@@ -142,13 +143,13 @@ TEST_CASE("without a structure the triangulation or the group may tell", "[ident
 
 TEST_CASE("why there is no name is said", "[identify]") {
   // Torus knots have no hyperbolic structure, and the trefoil's group is none that tells.
-  const Identification trefoil = identify(triangulation_of(exterior(named_link("trefoil").grid)));
+  const Identification trefoil = identify::identify(triangulation_of(exterior(named_link("trefoil").grid)));
   CHECK_FALSE(trefoil);
   CHECK(trefoil.name.empty());
   CHECK(told(trefoil).find("no structure found on 1000 triangulations") != std::string::npos);
   CHECK(told(trefoil).find("not recognised") != std::string::npos);
   // A cusped manifold without fame (its volume is the SnapPea kernel's, from Regina: snappea_canonical.txt).
-  const Identification unnamed = identify(from_signature("eLAkbccddhhnxk"));
+  const Identification unnamed = identify::identify(from_signature("eLAkbccddhhnxk"));
   INFO(told(unnamed));
   CHECK_FALSE(unnamed);
   CHECK(unnamed.volume.value_or(0) == Approx(3.177293279).epsilon(1e-9));
@@ -161,8 +162,8 @@ TEST_CASE("identification does not depend on the thread, only on the manifold", 
   const Triangulation tri = grown(from_signature(stored_table(3)[99].signature), 2000, 1);
   Identification a;
   Identification b;
-  std::thread other([&] { a = identify(tri); });
-  b = identify(tri);
+  std::thread other([&] { a = identify::identify(tri); });
+  b = identify::identify(tri);
   other.join();
   CHECK(a.name == "fmp3_100");
   CHECK(a.name == b.name);
@@ -171,6 +172,6 @@ TEST_CASE("identification does not depend on the thread, only on the manifold", 
 }
 
 TEST_CASE("only connected manifolds can be identified", "[identify]") {
-  CHECK_THROWS_AS(identify(Triangulation()), PreconditionError);
-  CHECK_THROWS_AS(identify(Triangulation(2)), PreconditionError);
+  CHECK_THROWS_AS(identify::identify(Triangulation()), PreconditionError);
+  CHECK_THROWS_AS(identify::identify(Triangulation(2)), PreconditionError);
 }

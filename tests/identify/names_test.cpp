@@ -4,18 +4,19 @@
 #include "support/errors.hpp"
 #include "support/zoo.hpp"
 #include "tetrarch/algebra/homology.hpp"
-#include "tetrarch/census/identify.hpp"
-#include "tetrarch/census/names.hpp"
-#include "tetrarch/census/recognise.hpp"
 #include "tetrarch/core/check.hpp"
 #include "tetrarch/core/error.hpp"
 #include "tetrarch/core/signature.hpp"
+#include "tetrarch/identify/identify.hpp"
+#include "tetrarch/identify/names.hpp"
+#include "tetrarch/identify/recognise.hpp"
 
 #include <catch2/catch.hpp>
 #include <numeric>
 
 using namespace tetrarch;
-using namespace tetrarch::census;
+using namespace tetrarch::catalogue;
+using namespace tetrarch::identify;
 using support::error_of;
 
 namespace {
@@ -41,13 +42,13 @@ TEST_CASE("what identify names is found by that name", "[names]") {
   for (const char* name : {"m000", "m003", "m004", "m015", "m129", "Borromean rings"}) {
     const std::optional<Named> found = find_named(name);
     REQUIRE(found);
-    const Identification back = identify(found->triangulation);
+    const Identification back = identify::identify(found->triangulation);
     INFO(name << " is " << back.name);
     CHECK(back.name == found->name);
     CHECK(signature(called(back.name)) == signature(found->triangulation));
   }
   CHECK(find_named("fmp3_17")->name == "fmp3_17");
-  CHECK(identify(called("fmp3_17")).name == "fmp3_17");
+  CHECK(identify::identify(called("fmp3_17")).name == "fmp3_17");
 }
 
 TEST_CASE("aliases of knots and links", "[names]") {

@@ -3,7 +3,7 @@
 
 #include "support/links.hpp"
 #include "support/zoo.hpp"
-#include "tetrarch/census/recognise.hpp"
+#include "tetrarch/identify/recognise.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -14,7 +14,7 @@
 #include <set>
 
 using namespace tetrarch;
-using namespace tetrarch::census;
+using namespace tetrarch::identify;
 using namespace tetrarch::support;
 using By = Recognition::By;
 

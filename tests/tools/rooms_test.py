@@ -64,6 +64,7 @@ class Compiler(unittest.TestCase):
         self.assertEqual(seen("core"), {"numeric", "core"})
         self.assertEqual(seen("moves"), {"core", "moves"})
         self.assertEqual(seen("mesh"), {"numeric", "core", "format", "mesh"})
+        self.assertEqual(seen("enumeration"), {"numeric", "core", "enumeration"})
         # Headers of mesh include headers of format, which bundle does not see for all that; so with slit.
         self.assertEqual(seen("bundle"), {"numeric", "core", "mesh", "bundle"})
         self.assertEqual(seen("product"), {"numeric", "core", "algebra", "mesh", "slit", "product"})
@@ -75,9 +76,9 @@ class Compiler(unittest.TestCase):
             self.assertFalse(compiles(room, "tetrarch/tetrarch.hpp"))
 
     def test_private_headers_are_private(self):
-        self.assertTrue(compiles("census", "gluings_partial.hpp"))
+        self.assertTrue(compiles("enumeration", "gluings_partial.hpp"))
         self.assertFalse(compiles("scene", "gluings_partial.hpp"))
-        self.assertFalse(compiles("census", "full_turn.hpp"))
+        self.assertFalse(compiles("enumeration", "full_turn.hpp"))
 
 
 class Layers(unittest.TestCase):
@@ -113,8 +114,8 @@ class Layers(unittest.TestCase):
         self.assertIn("product (floor 4) may not use slit (floor 3) in a public header", self.found())
 
     def test_a_private_header_by_a_path(self):
-        self.change("src/scene/obj.cpp", "#include", '#include "../census/gluings_partial.hpp"\n#include')
-        self.assertIn("'../census/gluings_partial.hpp' is private to another room", self.found())
+        self.change("src/scene/obj.cpp", "#include", '#include "../enumeration/gluings_partial.hpp"\n#include')
+        self.assertIn("'../enumeration/gluings_partial.hpp' is private to another room", self.found())
 
     def test_a_declaration_that_nothing_uses(self):
         self.change("src/CMakeLists.txt", "tetrarch_room(slit FLOOR 3 PUBLIC", "tetrarch_room(slit FLOOR 3 PRIVATE algebra PUBLIC")

@@ -4,11 +4,11 @@
 #include "output.hpp"
 #include "text.hpp"
 
-#include "tetrarch/census/identify.hpp"
 #include "tetrarch/core/error.hpp"
 #include "tetrarch/core/signature.hpp"
 #include "tetrarch/core/skeleton.hpp"
 #include "tetrarch/format/read.hpp"
+#include "tetrarch/identify/identify.hpp"
 #include "tetrarch/moves/subdivide.hpp"
 
 #include <memory>
@@ -17,11 +17,11 @@ namespace tetrarch::program {
 namespace {
 
 Result identify(const std::string& input, int attempts, const Context& context) {
-  using census::Identification;
+  using identify::Identification;
   const format::Document document = read_triangulation(input, context);
   require_manifold(document.triangulation, input);
   const Identification found =
-      census::identify(document.triangulation, {context.seed, attempts}, context.progress);
+      identify::identify(document.triangulation, {context.seed, attempts}, context.progress);
   const auto or_null = [](const std::string& text) { return text.empty() ? Json() : Json(text); };
 
   Result result;
@@ -104,7 +104,7 @@ Result subdivide(const SubdivideOptions& options, const Context& context) {
 
 Run declare_census_identify(OptionTable& table) {
   const auto input = std::make_shared<std::string>();
-  const auto attempts = std::make_shared<int>(census::IdentifyOptions().attempts);
+  const auto attempts = std::make_shared<int>(identify::IdentifyOptions().attempts);
   table.add("X", *input, "a triangulation or a mesh").required();
   table.add("--attempts", *attempts, "greatest number of triangulations to try")
       .in_range(1, 1'000'000)

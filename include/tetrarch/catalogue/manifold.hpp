@@ -16,7 +16,7 @@
 #include <string_view>
 #include <vector>
 
-namespace tetrarch::census {
+namespace tetrarch::catalogue {
 
 /// A hyperbolic manifold of the census, with its invariants.
 struct Manifold {
@@ -60,13 +60,13 @@ std::vector<Manifold> read_table(std::string_view text, const std::string& sourc
 
 /// The text of the compiled-in table for this many tetrahedra; empty if there is none.
 std::string_view stored_table_text(int tetrahedra);
-/// The compiled-in table; empty if there is none. Parsed at each call.
-std::vector<Manifold> stored_table(int tetrahedra);
+/// The compiled-in table; empty if there is none. Parsed at the first call, which other threads wait for.
+const std::vector<Manifold>& stored_table(int tetrahedra);
 /// The same, but throws InputError that says which tables are stored if there is none.
-std::vector<Manifold> require_table(int tetrahedra);
+const std::vector<Manifold>& require_table(int tetrahedra);
 /// The numbers of tetrahedra for which there are tables, increasing.
 std::vector<int> stored_tables();
 /// Looks a name up in the compiled-in tables.
 std::optional<Manifold> find_by_name(std::string_view name);
 
-} // namespace tetrarch::census
+} // namespace tetrarch::catalogue

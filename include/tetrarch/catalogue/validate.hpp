@@ -7,13 +7,13 @@
 /// valence below 3; the geometric ones are solved, canonized and told apart by isometry signature; those that
 /// fewer tetrahedra make are left out. Source: Frigerio-Martelli-Petronio 2004; Yin, section 4.3.4.
 
-#include "tetrarch/census/manifold.hpp"
+#include "tetrarch/catalogue/manifold.hpp"
 #include "tetrarch/core/progress.hpp"
 
 #include <string>
 #include <vector>
 
-namespace tetrarch::census {
+namespace tetrarch::catalogue {
 
 /// The numbers of a classification, for the record.
 struct Tally {
@@ -67,4 +67,4 @@ struct Validation {
 /// Rebuilds and re-solves. Throws InputError if no table of that many tetrahedra is stored.
 Validation validate(int tetrahedra, int threads = 1, const Progress& progress = {});
 
-} // namespace tetrarch::census
+} // namespace tetrarch::catalogue

@@ -23,7 +23,7 @@
 #include <string_view>
 #include <vector>
 
-namespace tetrarch::census {
+namespace tetrarch::enumeration {
 
 /// A set of closed surfaces: orientable ones by genus (0 is the sphere, 1 the torus), non-orientable ones by
 /// the number of crosscaps (1 is the projective plane, 2 the Klein bottle).
@@ -68,4 +68,4 @@ std::vector<std::string> gluing_signatures(const GluingOptions& options, const P
 /// The number of these gluings. It builds none and is the quickest of the three functions.
 std::int64_t count_gluings(const GluingOptions& options, const Progress& progress = {});
 
-} // namespace tetrarch::census
+} // namespace tetrarch::enumeration

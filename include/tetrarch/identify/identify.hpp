@@ -15,7 +15,7 @@
 /// the first question about a manifold without a name is how the program looked for one.
 /// Source: Frigerio-Petronio 2004; Weeks 1993.
 
-#include "tetrarch/census/manifold.hpp"
+#include "tetrarch/catalogue/manifold.hpp"
 #include "tetrarch/core/progress.hpp"
 
 #include <cstdint>
@@ -23,7 +23,7 @@
 #include <string>
 #include <vector>
 
-namespace tetrarch::census {
+namespace tetrarch::identify {
 
 struct IdentifyOptions {
   std::uint64_t seed = 1;
@@ -37,9 +37,9 @@ struct Identification {
   /// "fmp3_17", "Whitehead link complement (m129)", or what `recognise` says, "L(7,2)"; empty: none found.
   std::string name;
   By by = By::nothing;
-  std::optional<Manifold> manifold; ///< the table's entry, where the name is a table's
-  std::string isometry_signature;   ///< empty without a structure
-  std::optional<double> volume;     ///< nothing without a structure
+  std::optional<catalogue::Manifold> manifold; ///< the table's entry, where the name is a table's
+  std::string isometry_signature;              ///< empty without a structure
+  std::optional<double> volume;                ///< nothing without a structure
   /// The cells that name the manifold rest on 60-digit numbers that are zero without proof.
   bool confirmed_only = false;
   /// The triangulation that carries the structure; without a structure, the simplified input.
@@ -61,4 +61,4 @@ std::string to_string(Identification::By by);
 [[nodiscard]] Identification identify(const Triangulation& tri, const IdentifyOptions& options = {},
                                       const Progress& progress = {});
 
-} // namespace tetrarch::census
+} // namespace tetrarch::identify

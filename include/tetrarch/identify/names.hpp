@@ -20,7 +20,7 @@
 #include <string_view>
 #include <vector>
 
-namespace tetrarch::census {
+namespace tetrarch::identify {
 
 struct Named {
   std::string name; ///< as `identify` prints it
@@ -43,4 +43,4 @@ std::optional<Triangulation> lens_space(long long p, long long q);
 inline constexpr int most_handles = 50;
 inline constexpr int most_named = 10'000;
 
-} // namespace tetrarch::census
+} // namespace tetrarch::identify

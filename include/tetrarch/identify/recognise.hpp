@@ -17,7 +17,7 @@
 
 #include <string>
 
-namespace tetrarch::census {
+namespace tetrarch::identify {
 
 /// The name of a manifold, and by what it was found.
 struct Recognition {
@@ -40,4 +40,4 @@ struct Recognition {
 /// `algebra::simplified` does: a second at most, and a few milliseconds for a few hundred tetrahedra.
 [[nodiscard]] Recognition recognise(const Triangulation& tri, const Progress& progress = {});
 
-} // namespace tetrarch::census
+} // namespace tetrarch::identify
