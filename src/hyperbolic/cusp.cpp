@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "tetrarch/hyperbolic/cusp.hpp"
 
-#include "tetrarch/core/union_find.hpp"
+#include "tetrarch/numeric/union_find.hpp"
 
 #include <algorithm>
 #include <array>
@@ -111,7 +111,7 @@ Translations translations(const TriangulatedSurface& link, const Unrolled& u,
   std::iota(corner_class.begin(), corner_class.end(), 0);
   const auto corner = [](int sheet, int c) { return 3 * sheet + c; };
   const auto merge = [&](int a, int b) {
-    corner_class[find_root(corner_class, a)] = find_root(corner_class, b);
+    corner_class[numeric::find_root(corner_class, a)] = numeric::find_root(corner_class, b);
   };
   for (const int sheet : u.sheets)
     for (int side = 0; side < 3; ++side)
@@ -134,8 +134,9 @@ Translations translations(const TriangulatedSurface& link, const Unrolled& u,
       const auto laid = laid_against(link, u, sheet, side, sides);
       const int there = link.side(sheet / 2, side).corner[c];
       found.all.push_back(laid[there] - (*u.corners[static_cast<std::size_t>(other)])[there]);
-      const int a = find_root(joined, find_root(corner_class, corner(sheet, c)));
-      const int b = find_root(joined, find_root(corner_class, corner(sheet, next_corner[c])));
+      const int a = numeric::find_root(joined, numeric::find_root(corner_class, corner(sheet, c)));
+      const int b =
+          numeric::find_root(joined, numeric::find_root(corner_class, corner(sheet, next_corner[c])));
       if (a == b) found.generators.push_back(found.all.back());
       joined[a] = b;
     }

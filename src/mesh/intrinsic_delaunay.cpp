@@ -2,8 +2,8 @@
 #include "tetrarch/mesh/intrinsic_delaunay.hpp"
 
 #include "tetrarch/core/error.hpp"
-#include "tetrarch/mesh/distance.hpp"
 #include "tetrarch/mesh/laplacian.hpp"
+#include "tetrarch/numeric/vector.hpp"
 
 #include <algorithm>
 #include <array>
@@ -112,7 +112,8 @@ IntrinsicTriangulation intrinsic_delaunay(const TriangleMesh& mesh, std::vector<
   for (int k = 0; k < mesh.surface.side_count(); ++k) {
     if (mesh.surface.is_turned(Side(k)))
       throw PreconditionError("intrinsic Delaunay triangulations need oriented surfaces");
-    out.length[k] = distance(mesh.points[out.surface.from(Side(k))], mesh.points[out.surface.to(Side(k))]);
+    out.length[k] =
+        numeric::distance(mesh.points[out.surface.from(Side(k))], mesh.points[out.surface.to(Side(k))]);
   }
   Flipper(out, closed).run();
   return out;

@@ -6,7 +6,7 @@
 #include "findings.hpp"
 #include "orient.hpp"
 
-#include "tetrarch/mesh/volume_sign.hpp"
+#include "tetrarch/numeric/predicates.hpp"
 
 namespace tetrarch::mesh {
 namespace {
@@ -51,7 +51,7 @@ bool is_inverted(const format::Soup& soup, const std::array<int, 4>& corners) {
     p[i] = soup.points[static_cast<std::size_t>(corners[i])];
     if (!is_finite(p[i])) return false;
   }
-  return volume_sign(p[0], p[1], p[2], p[3]) < 0;
+  return numeric::volume_sign(p[0], p[1], p[2], p[3]) == numeric::Sign::negative;
 }
 
 std::string counted(const std::string& verb, std::int64_t count, const std::string& what) {

@@ -6,7 +6,7 @@
 #include "gluing.hpp"
 
 #include "tetrarch/core/skeleton.hpp"
-#include "tetrarch/mesh/volume_sign.hpp"
+#include "tetrarch/numeric/predicates.hpp"
 
 namespace tetrarch::mesh {
 namespace {
@@ -85,9 +85,10 @@ void Validator::look_at_volume(int t) {
   const auto& [a, b, c, d] = corners(t);
   for (const int v : corners(t))
     if (!is_finite(point(v))) return;
-  const int sign = volume_sign(point(a), point(b), point(c), point(d));
-  if (sign < 0) add_element(Kind::inverted, t, [&] { return element(t) + " has negative volume"; });
-  if (sign == 0) add_element(Kind::flat, t, [&] { return element(t) + " is flat"; });
+  const numeric::Sign sign = numeric::volume_sign(point(a), point(b), point(c), point(d));
+  if (sign == numeric::Sign::negative)
+    add_element(Kind::inverted, t, [&] { return element(t) + " has negative volume"; });
+  if (sign == numeric::Sign::zero) add_element(Kind::flat, t, [&] { return element(t) + " is flat"; });
 }
 
 Triangulation Validator::glue() {

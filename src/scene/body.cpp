@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "tetrarch/scene/body.hpp"
 
-#include "tetrarch/core/union_find.hpp"
+#include "tetrarch/numeric/union_find.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -84,10 +84,11 @@ std::vector<int> drawn_edges(const Triangulation& tri, const Domain<double>& dom
       for (int f = 0; f < 4; ++f) {
         if (f == i || f == j || domain.gluable[t][f] >= 0) continue;
         const auto [other, perm] = tri.gluing({t, f});
-        root[find_root(root, 6 * t + e)] = find_root(root, 6 * other + edge_number[perm[i]][perm[j]]);
+        root[numeric::find_root(root, 6 * t + e)] =
+            numeric::find_root(root, 6 * other + edge_number[perm[i]][perm[j]]);
       }
     }
-  for (std::size_t e = 0; e < root.size(); ++e) root[e] = find_root(root, static_cast<int>(e));
+  for (std::size_t e = 0; e < root.size(); ++e) root[e] = numeric::find_root(root, static_cast<int>(e));
   return root;
 }
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "tetrarch/scene/bundle.hpp"
+#include "tetrarch/numeric/vector.hpp"
 
 #include "palette.hpp"
 #include "tetrarch/bundle/gluable.hpp"
 #include "tetrarch/core/error.hpp"
 #include "tetrarch/mesh/planar.hpp"
-#include "vector.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -186,7 +186,7 @@ Scene cut_surface(const Plan& plan, const std::vector<int>& index) {
   Scene scene;
   scene.title = "surface and its cut";
   scene.surfaces.push_back(std::move(shown));
-  const double size = size_of(plan.cut.points);
+  const double size = numeric::extent(plan.cut.points);
   Tubes tubes;
   tubes.name = "cut";
   Data curve{"curve", {}};

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "tetrarch/scene/product.hpp"
+#include "tetrarch/numeric/vector.hpp"
 
 #include "palette.hpp"
 #include "tetrarch/core/error.hpp"
 #include "tetrarch/scene/files.hpp"
-#include "vector.hpp"
 
 #include <algorithm>
 #include <string>
@@ -42,7 +42,8 @@ Surface boundary_at(const std::vector<Point>& places, const product::Solid& soli
 }
 
 void set_radius(Tubes& tubes) {
-  if (!tubes.points.empty()) tubes.radii.assign(tubes.points.size(), line_share * size_of(tubes.points));
+  if (!tubes.points.empty())
+    tubes.radii.assign(tubes.points.size(), line_share * numeric::extent(tubes.points));
 }
 
 } // namespace

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "tetrarch/scene/quads.hpp"
+#include "tetrarch/numeric/vector.hpp"
 
 #include "palette.hpp"
 #include "tetrarch/format/text.hpp"
-#include "vector.hpp"
 
 namespace tetrarch::scene {
 
@@ -36,7 +36,7 @@ Scene quad_scene(const slit::QuadMesh& mesh) {
     tubes.colors.push_back(qualitative(line.values.back()));
   }
   // A tenth of a quad, if they were all of one size.
-  const double radius = size_of(mesh.points) / (10 * static_cast<double>(mesh.angles.size()));
+  const double radius = numeric::extent(mesh.points) / (10 * static_cast<double>(mesh.angles.size()));
   tubes.radii.assign(tubes.points.size(), radius);
   tubes.data.push_back(std::move(line));
   scene.tubes.push_back(std::move(tubes));

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "tetrarch/scene/slit.hpp"
+#include "tetrarch/numeric/vector.hpp"
 
 #include "palette.hpp"
 #include "tetrarch/format/text.hpp"
-#include "vector.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -113,7 +113,7 @@ Tubes loop_tubes(const mesh::TriangleMesh& mesh, const Layout& layout, const std
       number.values.push_back(index);
     }
   }
-  tubes.radii.assign(tubes.points.size(), size_of(points) / 300);
+  tubes.radii.assign(tubes.points.size(), numeric::extent(points) / 300);
   tubes.data.push_back(std::move(number));
   return tubes;
 }

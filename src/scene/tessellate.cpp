@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "tessellate.hpp"
+#include "tetrarch/numeric/vector.hpp"
 
-#include "tetrarch/hyperbolic/matrix4.hpp"
-#include "vector.hpp"
+#include "tetrarch/numeric/matrix4.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,6 +10,8 @@
 
 namespace tetrarch::scene {
 namespace {
+
+using namespace numeric;
 
 using embed::combination;
 using embed::inner;
@@ -159,7 +161,7 @@ Patch moved(const Matrix4& by, const Patch& patch) {
   for (Vector4& corner : image.corners) corner = by * corner;
   for (Vector4& cusp : image.cusps) cusp = moved(by, cusp);
   image.normal = by * image.normal;
-  if (hyperbolic::determinant(by) < 0) {
+  if (numeric::determinant(by) < 0) {
     std::reverse(image.corners.begin(), image.corners.end());
     std::reverse(image.cusps.begin(), image.cusps.end() - 1);
   }

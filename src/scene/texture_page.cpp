@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "elements.hpp"
 #include "page_data.hpp"
-#include "vector.hpp"
+
+#include "tetrarch/numeric/vector.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -12,6 +13,8 @@
 
 namespace tetrarch::scene {
 namespace {
+
+using namespace numeric;
 
 const Surface& textured(const Scene& scene) {
   require_sound(scene);

@@ -5,8 +5,8 @@
 #include "periodic.hpp"
 #include "slit_curve.hpp"
 #include "tetrarch/core/error.hpp"
-#include "tetrarch/mesh/distance.hpp"
 #include "tetrarch/mesh/laplacian.hpp"
+#include "tetrarch/numeric/vector.hpp"
 
 #include <cmath>
 #include <string>
@@ -105,7 +105,7 @@ CircularMap disk_map(const mesh::TriangleMesh& mesh, int center) {
   std::vector<double> length;
   length.reserve(n);
   for (const mesh::SideEnd e : sides)
-    length.push_back(mesh::distance(mesh.points[surface.from(e.side)], mesh.points[surface.to(e.side)]));
+    length.push_back(numeric::distance(mesh.points[surface.from(e.side)], mesh.points[surface.to(e.side)]));
   const auto density = [&](std::size_t j) {
     return 2 * flux[surface.vertex(sides[j % n])] / (length[j % n] + length[(j + n - 1) % n]);
   };

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "tetrarch/slit/quality.hpp"
 
-#include "flat_triangle.hpp"
 #include "full_turn.hpp"
 #include "tetrarch/mesh/laplacian.hpp"
+#include "tetrarch/numeric/flat_triangle.hpp"
 
 #include <algorithm>
 #include <array>
@@ -16,7 +16,7 @@ namespace {
 using mesh::Side;
 using Complex = std::complex<double>;
 
-double angle_at(const FlatTriangle& p, int c) {
+double angle_at(const numeric::FlatTriangle& p, int c) {
   const Complex a = p[(c + 1) % 3] - p[c];
   const Complex b = p[(c + 2) % 3] - p[c];
   return std::abs(std::arg(b * std::conj(a)));
@@ -35,18 +35,18 @@ Distortion distortion(const mesh::TriangleMesh& mesh, const std::vector<char>& s
       ++result.ears;
       continue;
     }
-    const FlatTriangle p = laid_flat(mesh.points, mesh.surface.corners(t));
-    const FlatTriangle q = image(t);
-    const double ratio = ratio_of_axes(p, q);
+    const numeric::FlatTriangle p = numeric::laid_flat(mesh.points, mesh.surface.corners(t));
+    const numeric::FlatTriangle q = image(t);
+    const double ratio = numeric::ratio_of_axes(p, q);
     if (ratio == 0) {
       result.flipped.push_back(t);
       continue;
     }
     result.quasi_conformal.back() = ratio;
     result.max_quasi_conformal = std::max(result.max_quasi_conformal, ratio);
-    result.log_factor.back() = std::log(twice_area(q) / twice_area(p)) / 2;
-    result.mean_quasi_conformal += ratio * twice_area(p);
-    area += twice_area(p);
+    result.log_factor.back() = std::log(numeric::twice_area(q) / numeric::twice_area(p)) / 2;
+    result.mean_quasi_conformal += ratio * numeric::twice_area(p);
+    area += numeric::twice_area(p);
     for (int c = 0; c < 3; ++c) {
       const double error = std::abs(angle_at(p, c) - angle_at(q, c));
       result.mean_angle_error += error;
@@ -74,14 +74,14 @@ std::vector<char> ears(const OneForms& forms) {
 Distortion distortion_on_cylinder(const OneForms& forms, const SlitMap& map) {
   return distortion(forms.mesh(), ears(forms), [&](int t) {
     const auto value = [&](Side s) { return Complex(map.form.real[s.value], map.form.imaginary[s.value]); };
-    return FlatTriangle{0.0, value(Side(t, 2)), -value(Side(t, 1))};
+    return numeric::FlatTriangle{0.0, value(Side(t, 2)), -value(Side(t, 1))};
   });
 }
 
 Distortion distortion_on_ring(const OneForms& forms, const SlitMap& map) {
   return distortion(forms.mesh(), ears(forms), [&](int t) {
     const auto& v = forms.mesh().surface.corners(t);
-    return FlatTriangle{map.concentric(v[0]), map.concentric(v[1]), map.concentric(v[2])};
+    return numeric::FlatTriangle{map.concentric(v[0]), map.concentric(v[1]), map.concentric(v[2])};
   });
 }
 
@@ -89,7 +89,7 @@ Distortion distortion_in_plane(const mesh::TriangleMesh& mesh, const std::vector
   const std::vector<char> none(static_cast<std::size_t>(mesh.surface.triangle_count()), 0);
   return distortion(mesh, none, [&](int t) {
     const auto& v = mesh.surface.corners(t);
-    return FlatTriangle{position[v[0]], position[v[1]], position[v[2]]};
+    return numeric::FlatTriangle{position[v[0]], position[v[1]], position[v[2]]};
   });
 }
 

@@ -2,10 +2,10 @@
 #include "tetrarch/slit/unflip.hpp"
 
 #include "banks.hpp"
-#include "flat_triangle.hpp"
 #include "full_turn.hpp"
 #include "tetrarch/slit/quality.hpp"
 
+#include "tetrarch/numeric/flat_triangle.hpp"
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -22,10 +22,6 @@ using Complex = std::complex<double>;
 constexpr int most_sweeps = 100;
 /// A triangle this much narrower than in space counts as flipped.
 constexpr double flat = 1e-3;
-
-double cross(Complex a, Complex b) {
-  return (std::conj(a) * b).imag();
-}
 
 /// What a vertex must stay to the left of: its distance from a side, `now`, grows by Re(conj(normal) step).
 struct Wall {
@@ -66,7 +62,7 @@ Complex best_anywhere(const std::vector<Wall>& walls) {
         const Complex b = walls[k].normal - walls[i].normal;
         const double right_a = walls[i].now - walls[j].now;
         const double right_b = walls[i].now - walls[k].now;
-        const Complex step = Complex(0, 1) * (right_b * a - right_a * b) / cross(a, b);
+        const Complex step = Complex(0, 1) * (right_b * a - right_a * b) / numeric::cross(a, b);
         if (!std::isfinite(std::abs(step))) continue;
         if (const double there = least(walls, step); there > value) {
           value = there;
@@ -77,8 +73,8 @@ Complex best_anywhere(const std::vector<Wall>& walls) {
 }
 
 /// The altitude on the longest side, in units of that side.
-double width(const FlatTriangle& p) {
-  return twice_area(p) / longest_squared(p);
+double width(const numeric::FlatTriangle& p) {
+  return numeric::twice_area(p) / numeric::longest_squared(p);
 }
 
 /// A drawing by the differences along its sides, so that it may lie on a cylinder.
@@ -95,7 +91,7 @@ public:
       : surface_(mesh.surface), along_(std::move(along)), skipped_(std::move(skipped)),
         some_end_(static_cast<std::size_t>(surface_.vertex_count())) {
     for (int t = 0; t < surface_.triangle_count(); ++t)
-      width_.push_back(width(laid_flat(mesh.points, surface_.corners(t))));
+      width_.push_back(width(numeric::laid_flat(mesh.points, surface_.corners(t))));
     for (int k = 0; k < surface_.side_count(); ++k) some_end_[surface_.from(Side(k))] = {Side(k), true};
   }
 
@@ -132,7 +128,7 @@ private:
     if (skipped_[t]) return false;
     double longest = 0;
     for (const Side s : mesh::sides_of(t)) longest = std::max(longest, std::norm(along_[s.value]));
-    const double twice_area = cross(along_[Side(t, 2).value], -along_[Side(t, 1).value]);
+    const double twice_area = numeric::cross(along_[Side(t, 2).value], -along_[Side(t, 1).value]);
     return !(twice_area > flat * width_[t] * longest);
   }
 
@@ -169,7 +165,8 @@ private:
       const Complex edge = along_[opposite.value];
       if (edge == 0.0) continue;
       const Complex direction = edge / std::abs(edge);
-      result.push_back({cross(direction, -along_[opposite.previous().value]), Complex(0, 1) * direction});
+      result.push_back(
+          {numeric::cross(direction, -along_[opposite.previous().value]), Complex(0, 1) * direction});
     }
     return result;
   }
@@ -225,7 +222,7 @@ Unflipped unflip_between_circles(const mesh::TriangleMesh& mesh, const std::vect
   freedom.kept = [&](int v, Complex step) {
     if (loop[v] < 0) return step;
     const Complex arm = from_center(v);
-    return arm * std::polar(1.0, cross(arm, step) / std::norm(arm)) - arm;
+    return arm * std::polar(1.0, numeric::cross(arm, step) / std::norm(arm)) - arm;
   };
   return drawing.set_right(
       freedom, [&](int v, Complex step) { position[v] += step; }, std::move(before));

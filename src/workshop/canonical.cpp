@@ -5,8 +5,8 @@
 #include "tetrarch/core/boundary.hpp"
 #include "tetrarch/core/error.hpp"
 #include "tetrarch/core/signature.hpp"
-#include "tetrarch/core/union_find.hpp"
 #include "tetrarch/format/document.hpp"
+#include "tetrarch/numeric/union_find.hpp"
 #include "tetrarch/workshop/text.hpp"
 
 #include <algorithm>
@@ -83,14 +83,14 @@ format::CanonicalCells cells_of(const Canonical& c) {
   for (int t = 0; t < c.triangulation.size(); ++t)
     for (int f = 0; f < 4; ++f)
       if (c.flat[t][f]) {
-        const int a = find_root(root, t);
-        const int b = find_root(root, c.triangulation.gluing({t, f}).tet);
+        const int a = numeric::find_root(root, t);
+        const int b = numeric::find_root(root, c.triangulation.gluing({t, f}).tet);
         root[std::max(a, b)] = std::min(a, b);
       }
   format::CanonicalCells result{c.cells, std::vector<int>(root.size()), c.flat, c.isometry_signature, {}};
   int cells = 0;
   for (int t = 0; t < c.triangulation.size(); ++t) {
-    const int first = find_root(root, t);
+    const int first = numeric::find_root(root, t);
     result.cell_of[t] = first == t ? cells++ : result.cell_of[first];
   }
   return result;

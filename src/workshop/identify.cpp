@@ -6,7 +6,7 @@
 
 namespace tetrarch::workshop {
 
-using census::Identification;
+using identify::Identification;
 
 namespace {
 

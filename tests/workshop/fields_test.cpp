@@ -42,7 +42,7 @@ TEST_CASE("every result lists its fields once", "[workshop]") {
     check_list(structure(tri));
     check_list(cells(tri));
     check_list(isometry({tri, "x"}, {tri, "x"}));
-    check_list(census::identify(tri));
+    check_list(identify::identify(tri));
   }
 }
 

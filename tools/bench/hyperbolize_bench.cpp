@@ -8,8 +8,8 @@
 #include "tetrarch/core/signature.hpp"
 #include "tetrarch/hyperbolic/cosine_laws.hpp"
 #include "tetrarch/hyperbolic/hyperbolize.hpp"
-#include "tetrarch/hyperbolic/real50.hpp"
 #include "tetrarch/hyperbolic/volume.hpp"
+#include "tetrarch/numeric/real50.hpp"
 
 #include <benchmark/benchmark.h>
 #include <fstream>

@@ -229,12 +229,12 @@ void require_room(const PlanOptions& wanted, const SurfaceInput& surface, const 
 }
 
 /// A bundle that is proved to be what was planned; a failure here is ours.
-struct Made {
+struct ProvedBundle {
   bundle::CircleBundle bundle;
   bundle::Proof proof;
 };
 
-Made make(const Plan& plan, const Context& context) {
+ProvedBundle make(const Plan& plan, const Context& context) {
   audit(plan);
   bundle::CircleBundle bundle = bundle::assemble(plan.recipe, context.progress);
   bundle::Proof proof = bundle::prove(bundle, Skeleton(bundle.total), context.progress);
@@ -244,7 +244,7 @@ Made make(const Plan& plan, const Context& context) {
   return {std::move(bundle), std::move(proof)};
 }
 
-Json details_json(const Plan& plan, const Made& made, const Singularities& singular) {
+Json details_json(const Plan& plan, const ProvedBundle& made, const Singularities& singular) {
   Json json;
   json["fiber"] = made.bundle.fiber;
   json["euler_number"] = made.proof.has_euler_number ? Json(made.proof.euler_number) : Json();
@@ -258,7 +258,7 @@ Json details_json(const Plan& plan, const Made& made, const Singularities& singu
 
 using Rows = std::vector<std::pair<std::string, std::string>>;
 
-Rows details_rows(const Plan& plan, const Json& details, const Made& made, const Options& options) {
+Rows details_rows(const Plan& plan, const Json& details, const ProvedBundle& made, const Options& options) {
   Rows rows{{"cut along", name_of(plan.method)},
             {"refined by", counted(plan.splits(), "split")},
             {"fibres", counted(made.bundle.base.vertex_count(), "circle") + " of " +
@@ -283,7 +283,7 @@ Result run_bundle(const Options& options, const Context& context) {
     return obstructed(*found, surface, options);
   const Plan& plan = std::get<Plan>(planned);
   require_room(wanted, plan.cut.surface.triangle_count(), options);
-  const Made made = make(plan, context);
+  const ProvedBundle made = make(plan, context);
 
   constexpr int small = 2'000; // tetrahedra; beyond, nobody reads a signature or a group
   Info info = info_of(made.bundle.total, "", context, made.bundle.total.size() > small);

@@ -81,7 +81,7 @@ const std::vector<Command>& commands() {
       {tables, "census show", "show the entry of one manifold", "census show fmp3_17", declare_census_show},
       {tables, "census identify", "find the name of a manifold, whatever its triangulation",
        "census identify eLPkbdcddhgggb", declare_census_identify, false,
-       workshop::notes_of<census::Identification>},
+       workshop::notes_of<identify::Identification>},
       {session, "shell", "run the same commands as verbs on named values, at a prompt or from a script",
        "shell samples/moves.txt", declare_shell},
       {session, "help", "explain a command and its options; with --json, print the table of all commands",

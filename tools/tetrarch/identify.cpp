@@ -18,8 +18,8 @@ namespace {
 Result identify(const std::string& input, int attempts, const Context& context) {
   const format::Document document = read_triangulation(input, context);
   require_manifold(document.triangulation, input);
-  const census::Identification found =
-      census::identify(document.triangulation, {context.seed, attempts}, context.progress);
+  const identify::Identification found =
+      identify::identify(document.triangulation, {context.seed, attempts}, context.progress);
   Result result;
   result.warnings = document.warnings;
   result.status = status_of(workshop::verdict_of(found));
@@ -88,7 +88,7 @@ Result subdivide(const SubdivideOptions& options, const Context& context) {
 
 Run declare_census_identify(OptionTable& table) {
   const auto input = std::make_shared<std::string>();
-  const auto attempts = std::make_shared<int>(census::IdentifyOptions().attempts);
+  const auto attempts = std::make_shared<int>(identify::IdentifyOptions().attempts);
   table.add("X", *input, "a triangulation or a mesh").required();
   table.add("--attempts", *attempts, "greatest number of triangulations to try")
       .in_range(1, 1'000'000)

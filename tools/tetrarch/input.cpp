@@ -6,7 +6,6 @@
 #include "samples.hpp"
 
 #include "tetrarch/algebra/group_text.hpp"
-#include "tetrarch/census/names.hpp"
 #include "tetrarch/core/check.hpp"
 #include "tetrarch/core/signature.hpp"
 #include "tetrarch/format/group_json.hpp"
@@ -15,6 +14,7 @@
 #include "tetrarch/format/read.hpp"
 #include "tetrarch/format/signature_text.hpp"
 #include "tetrarch/format/text.hpp"
+#include "tetrarch/identify/names.hpp"
 #include "tetrarch/mesh/fill.hpp"
 #include "tetrarch/mesh/repair.hpp"
 #include "tetrarch/mesh/tet_mesh.hpp"
@@ -90,9 +90,9 @@ format::Document noted(format::Document document, const Context& context) {
 
 /// The manifold of a name, "m004", or of a name with Dehn fillings, "m004(1,2)", which are passed over.
 std::optional<format::Document> named_manifold(const std::string& argument) {
-  std::optional<census::Named> named = census::find_named(argument);
+  std::optional<identify::Named> named = identify::find_named(argument);
   format::Ledger fillings;
-  if (!named) named = census::find_named(std::string(format::without_fillings(argument, fillings)));
+  if (!named) named = identify::find_named(std::string(format::without_fillings(argument, fillings)));
   if (!named) return std::nullopt;
   format::Document document = format::document_of(std::move(named->triangulation), named->name);
   document.passed_over = fillings;
@@ -111,7 +111,7 @@ bool is_meant_as_signature(const std::string& argument) {
 format::Document spelled_out(const std::string& argument) {
   if (is_json(argument)) return format::read_any(argument, given_json);
   if (std::optional<format::Document> named = named_manifold(argument)) return std::move(*named);
-  const std::string near = near_names(argument, census::listed_names());
+  const std::string near = near_names(argument, identify::listed_names());
   std::string why;
   try {
     return format::read_signature_text(argument);

@@ -5,6 +5,7 @@
 
 #include "tetrarch/core/error.hpp"
 #include "tetrarch/format/text.hpp"
+#include "tetrarch/numeric/sparse_cholesky.hpp"
 
 #include <csignal>
 #include <filesystem>
@@ -145,13 +146,14 @@ void tell(const Statement& statement, Status status, const std::string& key, Jso
   std::cout << json.dump() << std::endl;
 }
 
-Done run_job(const Job& job, const Values* values, const std::string& speaker, const Statement* statement,
-             Share* share) {
+JobOutcome run_job(const Job& job, const Values* values, const std::string& speaker,
+                   const Statement* statement, Share* share) {
   const Common& common = job.common;
   const auto failed = [&](const std::string& message, Status status) {
     if (common.json && statement != nullptr) tell(*statement, status, "error", message);
     const bool says_whose = share == nullptr || message.starts_with(share->input);
-    return Done{complain(speaker, says_whose ? message : share->input + ": " + message, status), nullptr};
+    return JobOutcome{complain(speaker, says_whose ? message : share->input + ": " + message, status),
+                      nullptr};
   };
   const ProgressBar bar(!common.quiet);
   try {
@@ -170,6 +172,9 @@ Done run_job(const Job& job, const Values* values, const std::string& speaker, c
     bar.clear();
     return failed("interrupted; nothing was written", Status::interrupted);
   } catch (const InputError& e) {
+    bar.clear();
+    return failed(e.what(), Status::bad_input);
+  } catch (const numeric::MatrixTooLarge& e) {
     bar.clear();
     return failed(e.what(), Status::bad_input);
   } catch (const std::bad_alloc&) {

@@ -12,7 +12,7 @@ namespace {
 
 using scene::SceneFormat;
 
-scene::Scene hexahedra_scene(const ProductMade& made, const std::string& title, SceneFormat format) {
+scene::Scene hexahedra_scene(const SolidProduct& made, const std::string& title, SceneFormat format) {
   scene::HexahedraData data{made.scaled_jacobian, {}};
   // Where some are left out a layer has no fixed number of cells, and polycubes have none; then -1 is told.
   const std::size_t count = made.hexahedra->mesh.hexahedra.size();
@@ -25,7 +25,7 @@ scene::Scene hexahedra_scene(const ProductMade& made, const std::string& title, 
   return scene;
 }
 
-scene::Scene product_scene(const ProductMade& made, const std::string& title, bool in_domain,
+scene::Scene product_scene(const SolidProduct& made, const std::string& title, bool in_domain,
                            bool with_cells) {
   scene::Scene scene{title, {}, {}, {}, {}};
   const product::Solid& solid = made.at.solid;
@@ -40,7 +40,7 @@ scene::Scene product_scene(const ProductMade& made, const std::string& title, bo
 
 /// The tetrahedra, those of edges split included, and the boundary with its patches: 1 floor, 2 ceiling, 3
 /// and on walls.
-format::Soup labelled_mesh(const ProductMade& made) {
+format::Soup labelled_mesh(const SolidProduct& made) {
   const product::Solid& solid = made.at.solid;
   format::Soup soup;
   soup.points = solid.mesh.points;
@@ -52,7 +52,7 @@ format::Soup labelled_mesh(const ProductMade& made) {
   return soup;
 }
 
-std::string page(const ProductMade& made, const std::string& title) {
+std::string page(const SolidProduct& made, const std::string& title) {
   scene::InfoTable table{"Product", {}, {}};
   for (const auto& [name, value] : made.report.rows) table.rows.push_back({name, value});
   // How far walls are from conformal says nothing: u and v run along the floor.
@@ -66,7 +66,7 @@ std::string page(const ProductMade& made, const std::string& title) {
 
 } // namespace
 
-format::MeshDocument product_document(const ProductMade& made, const ProductTitle& title) {
+format::MeshDocument product_document(const SolidProduct& made, const ProductTitle& title) {
   using On = format::MeshField::On;
   format::MeshDocument mesh;
   if (made.hexahedra) {
@@ -82,7 +82,7 @@ format::MeshDocument product_document(const ProductMade& made, const ProductTitl
   return mesh;
 }
 
-std::string product_file(const std::string& path, const ProductMade& made, const ProductTitle& title,
+std::string product_file(const std::string& path, const SolidProduct& made, const ProductTitle& title,
                          bool in_domain) {
   if (format::has_extension(path, ".mesh"))
     return made.hexahedra

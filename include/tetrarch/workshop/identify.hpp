@@ -3,18 +3,18 @@
 
 /// What a search for a manifold's name found.
 
-#include "tetrarch/census/identify.hpp"
+#include "tetrarch/identify/identify.hpp"
 #include "tetrarch/workshop/fields.hpp"
 #include "tetrarch/workshop/verdict.hpp"
 
 namespace tetrarch::workshop {
 
 /// Undecided where no name was found: the tables do not hold every manifold.
-Verdict verdict_of(const census::Identification& found);
+Verdict verdict_of(const identify::Identification& found);
 
-Rows rows_of(const census::Identification& found);
+Rows rows_of(const identify::Identification& found);
 
 template <>
-const FieldList<census::Identification>& fields_of<census::Identification>();
+const FieldList<identify::Identification>& fields_of<identify::Identification>();
 
 } // namespace tetrarch::workshop
