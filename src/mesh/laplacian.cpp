@@ -19,8 +19,16 @@ constexpr double largest_cotangent = 1e12;
 
 double cotangent(const std::array<double, 3>& at, const std::array<double, 3>& p,
                  const std::array<double, 3>& q) {
-  const std::array a{p[0] - at[0], p[1] - at[1], p[2] - at[2]};
-  const std::array b{q[0] - at[0], q[1] - at[1], q[2] - at[2]};
+  std::array a{p[0] - at[0], p[1] - at[1], p[2] - at[2]};
+  std::array b{q[0] - at[0], q[1] - at[1], q[2] - at[2]};
+  // Products of three tiny edges underflow, of huge ones overflow; powers of two change no digit.
+  double size = 0;
+  for (std::size_t k = 0; k < 3; ++k) size = std::max({size, std::abs(a[k]), std::abs(b[k])});
+  constexpr double least = 1e-60;
+  constexpr double most = 1e60;
+  if (!(least < size && size < most) && size > 0 && std::isfinite(size))
+    for (auto* const e : {&a, &b})
+      for (double& x : *e) x = std::ldexp(x, -std::ilogb(size));
   const double twice_area =
       std::hypot(a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]);
   return (a[0] * b[0] + a[1] * b[1] + a[2] * b[2]) / twice_area;

@@ -15,12 +15,20 @@ FlatTriangle laid_flat(const std::vector<std::array<double, 3>>& points,
     for (int k = 0; k < 3; ++k) e[k] = points[corners[c]][k] - points[corners[0]][k];
     return e;
   };
-  const auto a = edge(1);
-  const auto b = edge(2);
+  auto a = edge(1);
+  auto b = edge(2);
+  // Squares of tiny edges underflow; powers of two change no digit.
+  double size = 0;
+  for (const auto& e : {a, b})
+    for (const double x : e) size = std::max(size, std::abs(x));
+  const int power = size > 0 && std::isfinite(size) ? std::ilogb(size) : 0;
+  for (auto* const e : {&a, &b})
+    for (double& x : *e) x = std::ldexp(x, -power);
   const double length = std::hypot(a[0], a[1], a[2]);
   const double area =
       std::hypot(a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]);
-  return {0.0, length, {(a[0] * b[0] + a[1] * b[1] + a[2] * b[2]) / length, area / length}};
+  const double x = (a[0] * b[0] + a[1] * b[1] + a[2] * b[2]) / length;
+  return {0.0, std::ldexp(length, power), {std::ldexp(x, power), std::ldexp(area / length, power)}};
 }
 
 double twice_area(const FlatTriangle& p) {
@@ -39,7 +47,10 @@ double ratio_of_axes(const FlatTriangle& p, const FlatTriangle& q) {
   const Complex w2 = q[2] - q[0];
   const double forward = std::abs(w1 * std::conj(z2) - w2 * std::conj(z1));
   const double backward = std::abs(z1 * w2 - z2 * w1);
-  return forward > backward ? (forward + backward) / (forward - backward) : 0.0;
+  // Beyond this ratio the difference is a rounding error, of either sign.
+  constexpr double flattest = 1e12;
+  return forward + backward < flattest * (forward - backward) ? (forward + backward) / (forward - backward)
+                                                               : 0.0;
 }
 
 } // namespace tetrarch::slit

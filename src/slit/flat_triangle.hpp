@@ -24,7 +24,8 @@ double twice_area(const FlatTriangle& p);
 /// The square of the longest side.
 double longest_squared(const FlatTriangle& p);
 
-/// The ratio of the axes of the linear map from p to q; 0 where it does not keep the orientation.
+/// The ratio of the axes of the linear map from p to q; 0 where it does not keep the orientation, or keeps it
+/// by rounding only.
 double ratio_of_axes(const FlatTriangle& p, const FlatTriangle& q);
 
 } // namespace tetrarch::slit

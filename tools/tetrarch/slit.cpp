@@ -149,7 +149,7 @@ Made make_disk(const mesh::OpenedMesh& surface, const Options& options) {
 /// The picture after so many openings instead of the circular domain.
 scene::Layout stage_layout(const slit::OneForms& forms, const slit::SlitMap& map,
                            const slit::CircularMap& circular, int stage) {
-  const auto last = static_cast<int>(circular.domain.stages.size()) - 1;
+  const auto last = static_cast<int>(map.slits.size());
   if (stage > last)
     throw InputError("--stage " + std::to_string(stage) + ": the last stage is " + std::to_string(last) +
                      ", with all slits open");
