@@ -90,15 +90,24 @@ Distortion distortion(const mesh::TriangleMesh& mesh, const std::vector<char>& s
   return result;
 }
 
+/// Those of all loops but one.
+std::vector<char> ears_of(const mesh::Surface& surface, const std::vector<int>& loop, int but) {
+  std::vector<char> result;
+  for (const auto& v : surface.triangles())
+    result.push_back(static_cast<char>(loop[v[0]] >= 0 && loop[v[0]] != but && loop[v[0]] == loop[v[1]] &&
+                                       loop[v[0]] == loop[v[2]]));
+  return result;
+}
+
 } // namespace
 
 std::vector<char> ears(const OneForms& forms) {
-  const mesh::Surface& surface = forms.mesh().surface;
-  const std::vector<int> loop = mesh::loops_of_vertices(forms.loops(), surface);
-  std::vector<char> result;
-  for (const auto& v : surface.triangles())
-    result.push_back(loop[v[0]] >= 0 && loop[v[0]] == loop[v[1]] && loop[v[0]] == loop[v[2]]);
-  return result;
+  return ears_of(forms.mesh().surface, mesh::loops_of_vertices(forms.loops(), forms.mesh().surface), -1);
+}
+
+std::vector<char> ears_in_disk(const mesh::TriangleMesh& mesh, const CircularMap& map) {
+  const auto loops = mesh::boundary_loops(mesh);
+  return ears_of(mesh.surface, mesh::loops_of_vertices(loops, mesh.surface), map.loop.at(0));
 }
 
 Distortion distortion_on_cylinder(const OneForms& forms, const SlitMap& map) {
@@ -115,12 +124,25 @@ Distortion distortion_on_ring(const OneForms& forms, const SlitMap& map) {
   });
 }
 
-Distortion distortion_in_plane(const mesh::TriangleMesh& mesh, const std::vector<Complex>& position) {
-  const std::vector<char> none(static_cast<std::size_t>(mesh.surface.triangle_count()), 0);
-  return distortion(mesh, none, [&](int t) {
+namespace {
+
+Distortion distortion_in_plane(const mesh::TriangleMesh& mesh, const std::vector<char>& skipped,
+                               const std::vector<Complex>& position) {
+  return distortion(mesh, skipped, [&](int t) {
     const auto& v = mesh.surface.corners(t);
     return FlatTriangle{position[v[0]], position[v[1]], position[v[2]]};
   });
+}
+
+} // namespace
+
+Distortion distortion_in_plane(const mesh::TriangleMesh& mesh, const std::vector<Complex>& position) {
+  return distortion_in_plane(mesh, std::vector<char>(static_cast<std::size_t>(mesh.surface.triangle_count())),
+                             position);
+}
+
+Distortion distortion_in_disk(const mesh::TriangleMesh& mesh, const CircularMap& map) {
+  return distortion_in_plane(mesh, ears_in_disk(mesh, map), map.position);
 }
 
 Residuals residuals(const OneForms& forms, const SlitMap& map) {
