@@ -284,11 +284,11 @@ Unflipped unflip_between_circles(const mesh::TriangleMesh& mesh, const std::vect
 }
 
 /// The vertices of all slits, if only those are to be set right.
-std::vector<char> on_slits(const SlitMap& map, const std::vector<int>& loop, Unflip which) {
+std::vector<char> on_slits(const std::vector<int>& loop, int outer, int inner, Unflip which) {
   if (which == Unflip::everywhere) return {};
   std::vector<char> result;
   result.reserve(loop.size());
-  for (const int k : loop) result.push_back(static_cast<char>(k >= 0 && k != map.outer && k != map.inner));
+  for (const int k : loop) result.push_back(static_cast<char>(k >= 0 && k != outer && k != inner));
   return result;
 }
 
@@ -301,7 +301,7 @@ Unflipped unflip_on_cylinder(const OneForms& forms, SlitMap& map, Unflip which) 
   std::vector<Complex> along(map.form.real.size());
   for (std::size_t s = 0; s < along.size(); ++s) along[s] = {map.form.real[s], map.form.imaginary[s]};
   Drawing drawing(forms.mesh(), std::move(along), ears(forms));
-  drawing.restrict_to(on_slits(map, loop, which));
+  drawing.restrict_to(on_slits(loop, map.outer, map.inner, which));
   Drawing::Freedom freedom;
   freedom.slides = [&](int v) { return loop[v] < 0 ? Complex(0) : Complex(0, 1); };
   freedom.kept = [](int, Complex step) { return step; };
@@ -331,7 +331,7 @@ Unflipped unflip_on_ring(const OneForms& forms, SlitMap& map, Unflip which) {
   const std::vector<Complex> before = position;
   const std::vector<int> loop = mesh::loops_of_vertices(forms.loops(), surface);
   const Unflipped result = unflip_between_circles(forms.mesh(), loop, position, about_origin, ears(forms),
-                                                  on_slits(map, loop, which), ordered);
+                                                  on_slits(loop, map.outer, map.inner, which), ordered);
   std::vector<Complex> shift(position.size(), 0.0);
   for (std::size_t v = 0; v < position.size(); ++v) {
     if (position[v] == before[v]) continue;
@@ -348,12 +348,14 @@ Unflipped unflip_on_ring(const OneForms& forms, SlitMap& map, Unflip which) {
   return result;
 }
 
-Unflipped unflip_in_disk(const mesh::TriangleMesh& mesh, CircularMap& map) {
+Unflipped unflip_in_disk(const mesh::TriangleMesh& mesh, CircularMap& map, Unflip which) {
   const auto loops = mesh::boundary_loops(mesh);
   std::vector<Circle> circle(loops.size());
   for (std::size_t k = 0; k < map.loop.size(); ++k) circle[map.loop[k]] = map.domain.circles[k];
-  return unflip_between_circles(mesh, mesh::loops_of_vertices(loops, mesh.surface), map.position, circle,
-                                ears_in_disk(mesh, map));
+  const std::vector<int> loop = mesh::loops_of_vertices(loops, mesh.surface);
+  const int inner = map.loop.size() > 1 ? map.loop[1] : map.loop[0];
+  return unflip_between_circles(mesh, loop, map.position, circle, ears_in_disk(mesh, map),
+                                on_slits(loop, map.loop[0], inner, which));
 }
 
 } // namespace tetrarch::slit

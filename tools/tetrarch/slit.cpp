@@ -134,8 +134,13 @@ Made make_circles(mesh::TriangleMesh mesh, slit::CircularMap map, const Options&
   made.found = map.domain.found;
   if (!made.found)
     made.report.warnings.emplace_back("the budget of rounds ended before the circles became round");
-  if (options.unflip) made.report.add(unflipped_report(slit::unflip_in_disk(made.mesh, map)));
-  add(made, slit::distortion_in_disk(made.mesh, map));
+  slit::Distortion distortion = slit::distortion_in_disk(made.mesh, map);
+  if (options.unflip || !distortion.flipped.empty()) {
+    const slit::Unflip which = options.unflip ? slit::Unflip::everywhere : slit::Unflip::at_slits;
+    made.report.add(unflipped_report(slit::unflip_in_disk(made.mesh, map, which)));
+    distortion = slit::distortion_in_disk(made.mesh, map);
+  }
+  add(made, distortion);
   made.layout = scene::disk_layout(made.mesh, map.position);
   return made;
 }

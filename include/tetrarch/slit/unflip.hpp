@@ -19,8 +19,8 @@
 
 namespace tetrarch::slit {
 
-/// Which triangles are to be set right: all, or only those that touch a slit, where maps flip a few triangles
-/// even if no weight is negative.
+/// Which triangles are to be set right: all, or only those that touch a slit or the circle that it becomes,
+/// where maps flip a few triangles even if no weight is negative.
 enum class Unflip : std::uint8_t { everywhere, at_slits };
 
 /// Never worse than it was before: of all drawings met, the one with the fewest flipped triangles is taken.
@@ -35,6 +35,6 @@ Unflipped unflip_on_cylinder(const OneForms& forms, SlitMap& map, Unflip which =
 /// On the ring, where edges are straight.
 Unflipped unflip_on_ring(const OneForms& forms, SlitMap& map, Unflip which = Unflip::everywhere);
 /// On circles other than the outer one ears stay as they are.
-Unflipped unflip_in_disk(const mesh::TriangleMesh& mesh, CircularMap& map);
+Unflipped unflip_in_disk(const mesh::TriangleMesh& mesh, CircularMap& map, Unflip which = Unflip::everywhere);
 
 } // namespace tetrarch::slit
