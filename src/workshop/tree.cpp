@@ -4,6 +4,7 @@
 #include "tetrarch/core/error.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 namespace tetrarch::workshop {
@@ -191,6 +192,22 @@ int Tree::integer() const {
 double Tree::number() const {
   if (const auto* const value = std::get_if<double>(&value_)) return *value;
   return integer();
+}
+
+std::string Tree::where_not_a_number() const {
+  const auto inside = [](std::string name, const Tree& value) {
+    const double* const number = std::get_if<double>(&value.value_);
+    if (number != nullptr) return std::isnan(*number) ? name : std::string();
+    const std::string found = value.where_not_a_number();
+    return found.empty() ? found : std::move(name) + "/" + found;
+  };
+  if (const Object* const object = std::get_if<Object>(&value_); object != nullptr)
+    for (const auto& [name, value] : *object)
+      if (std::string found = inside(name, value); !found.empty()) return found;
+  if (const Array* const array = std::get_if<Array>(&value_); array != nullptr)
+    for (std::size_t k = 0; k < array->size(); ++k)
+      if (std::string found = inside(std::to_string(k), (*array)[k]); !found.empty()) return found;
+  return {};
 }
 
 std::string Tree::dump(int indent) const {
