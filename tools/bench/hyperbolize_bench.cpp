@@ -73,7 +73,7 @@ BENCHMARK(luo_flow)->Unit(benchmark::kMillisecond);
 
 void refine_to_60_digits(benchmark::State& state) {
   over_all_gluings(
-      state, [](const Gluing3& g) { benchmark::DoNotOptimize(refine<Real50>(g.skeleton, g.structure)); });
+      state, [](const Gluing3& g) { benchmark::DoNotOptimize(refine<numeric::Real50>(g.skeleton, g.structure)); });
 }
 BENCHMARK(refine_to_60_digits)->Unit(benchmark::kMillisecond);
 
