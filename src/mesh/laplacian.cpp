@@ -20,8 +20,16 @@ constexpr double largest_cotangent = 1e12;
 
 double cotangent(const numeric::Point& at, const numeric::Point& p, const numeric::Point& q) {
   using namespace numeric;
-  const Vector a = p - at;
-  const Vector b = q - at;
+  Vector a = p - at;
+  Vector b = q - at;
+  // Products of three tiny edges underflow, of huge ones overflow; powers of two change no digit.
+  double size = 0;
+  for (std::size_t k = 0; k < 3; ++k) size = std::max({size, std::abs(a[k]), std::abs(b[k])});
+  constexpr double least = 1e-60;
+  constexpr double most = 1e60;
+  if (!(least < size && size < most) && size > 0 && std::isfinite(size))
+    for (auto* const e : {&a, &b})
+      for (std::size_t k = 0; k < 3; ++k) (*e)[k] = std::ldexp((*e)[k], -std::ilogb(size));
   return dot(a, b) / length(cross(a, b));
 }
 

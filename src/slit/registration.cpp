@@ -219,7 +219,8 @@ std::vector<int> checked_matching(const OneForms& a, const CircularMap& map_a, s
   return matching;
 }
 
-/// Loops go round their circles, the rest follows harmonically.
+/// Loops go round their circles, the rest follows harmonically: the log of new places over old ones, which is
+/// 0 if both surfaces are the same, and whose errors are relative to |z| on long surfaces.
 std::vector<Complex> carried_over(const OneForms& forms, const CircularMap& map,
                                   const std::vector<RoundLoop>& a, const std::vector<const RoundLoop*>& b,
                                   const mesh::Surface& surface, const std::vector<Complex>& target,
@@ -229,9 +230,13 @@ std::vector<Complex> carried_over(const OneForms& forms, const CircularMap& map,
     for (const mesh::SideEnd e : forms.loops()[k].sides) {
       const int v = forms.mesh().surface.vertex(e);
       const MeshPoint at = b[k]->at(a[k].angle_of(map.position[v]) + turn);
-      for (std::size_t c = 0; c < 3; ++c) places[v] += at.weight[c] * target[surface.corners(at.triangle)[c]];
+      Complex place = 0;
+      for (std::size_t c = 0; c < 3; ++c) place += at.weight[c] * target[surface.corners(at.triangle)[c]];
+      places[v] = std::log(place / std::polar(1.0, turn) / map.position[v]) + Complex(0, turn);
     }
-  return forms.extended(places);
+  places = forms.extended(places);
+  for (std::size_t v = 0; v < places.size(); ++v) places[v] = map.position[v] * std::exp(places[v]);
+  return places;
 }
 
 /// Vertices slide along B's circles.

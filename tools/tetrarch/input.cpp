@@ -18,6 +18,7 @@
 #include "tetrarch/mesh/fill.hpp"
 #include "tetrarch/mesh/repair.hpp"
 #include "tetrarch/mesh/tet_mesh.hpp"
+#include "tetrarch/workshop/info.hpp"
 
 #include <optional>
 
@@ -205,27 +206,9 @@ std::vector<LocatedGroup> read_groups(const std::string& argument, const Context
 
 std::vector<LocatedGroup> fundamental_groups(const Triangulation& tri, bool as_read,
                                              const Progress& progress) {
-  const Components parts = components(tri);
-  std::vector<std::vector<int>> tetrahedra(static_cast<std::size_t>(parts.count)); // of each, their numbers
-  for (int t = 0; t < tri.size(); ++t) tetrahedra[parts.of[t]].push_back(t);
   std::vector<LocatedGroup> groups;
-  for (const Triangulation& part : split(tri, parts)) {
-    const algebra::DualPresentation dual = algebra::dual_presentation(part, Skeleton(part));
-    const std::vector<int>& number = tetrahedra[groups.size()];
-    LocatedGroup located;
-    const auto add_face = [&](std::size_t g) {
-      located.faces.push_back({number[dual.generator_face[g].tet], dual.generator_face[g].face});
-    };
-    if (as_read) {
-      for (std::size_t g = 0; g < dual.generator_face.size(); ++g) add_face(g);
-      located.group = group_document(dual.presentation);
-    } else {
-      algebra::Kept kept = simplified_keeping(dual.presentation, {}, progress);
-      for (const int g : kept.generator) add_face(static_cast<std::size_t>(g));
-      located.group = group_document(std::move(kept.presentation));
-    }
-    groups.push_back(std::move(located));
-  }
+  for (workshop::ComponentGroup& found : workshop::fundamental_groups(tri, as_read, progress))
+    groups.push_back({group_document(std::move(found.group)), std::move(found.faces)});
   return groups;
 }
 

@@ -104,6 +104,14 @@ void tell_input(Result& result, const Share& share) {
   result.text = share.input + (share.name.empty() ? "" : "  " + share.name) + "\n" + result.text + "\n";
 }
 
+/// No command is done whose result holds a number that is none.
+void require_numbers(Result& result) {
+  const std::string where = result.json.where_not_a_number();
+  if (where.empty() || result.status != Status::done) return;
+  result.status = Status::undecided;
+  result.warnings.push_back("rounding errors were too great: " + where + " is no number");
+}
+
 void deliver(const Result& result, const Common& common, const std::string& speaker,
              const Statement* statement, Share* share) {
   std::set<std::filesystem::path> paths;
@@ -164,6 +172,7 @@ JobOutcome run_job(const Job& job, const Values* values, const std::string& spea
     if (share != nullptr) context.reads->passed_over.add(share->passed_over);
     Result result = job.run(context);
     bar.clear();
+    require_numbers(result);
     tell_reads(result, *context.reads);
     if (share != nullptr) tell_input(result, *share);
     deliver(result, common, speaker, statement, share);

@@ -102,10 +102,19 @@ Made make_slits(const slit::OneForms& forms, slit::SlitMap map, const Options& o
   made.report = map_report(map, on_ring);
   // Vertices that are moved later are no longer harmonic.
   const slit::Residuals residuals = slit::residuals(forms, map);
-  if (options.unflip)
-    made.report.add(
-        unflipped_report(on_ring ? slit::unflip_on_ring(forms, map) : slit::unflip_on_cylinder(forms, map)));
-  add(made, on_ring ? slit::distortion_on_ring(forms, map) : slit::distortion_on_cylinder(forms, map));
+  const auto distortion = [&] {
+    return on_ring ? slit::distortion_on_ring(forms, map) : slit::distortion_on_cylinder(forms, map);
+  };
+  slit::Distortion found = distortion();
+  if (options.unflip || !found.flipped.empty()) {
+    // A slit turns back between vertices, whatever the mesh is: that much is always put right.
+    const slit::Unflip which = options.unflip ? slit::Unflip::everywhere : slit::Unflip::at_slits;
+    const slit::Unflipped moved =
+        on_ring ? slit::unflip_on_ring(forms, map, which) : slit::unflip_on_cylinder(forms, map, which);
+    made.report.add(unflipped_report(moved));
+    found = distortion();
+  }
+  add(made, found);
   made.report.add(residuals_report(residuals));
   made.fields.vertices = {{"log_radius", map.log_radius}, {"angle", map.angle}};
   for (int k = 0; k < forms.loop_count(); ++k)
@@ -125,8 +134,13 @@ Made make_circles(mesh::TriangleMesh mesh, slit::CircularMap map, const Options&
   made.found = map.domain.found;
   if (!made.found)
     made.report.warnings.emplace_back("the budget of rounds ended before the circles became round");
-  if (options.unflip) made.report.add(unflipped_report(slit::unflip_in_disk(made.mesh, map)));
-  add(made, slit::distortion_in_plane(made.mesh, map.position));
+  slit::Distortion distortion = slit::distortion_in_disk(made.mesh, map);
+  if (options.unflip || !distortion.flipped.empty()) {
+    const slit::Unflip which = options.unflip ? slit::Unflip::everywhere : slit::Unflip::at_slits;
+    made.report.add(unflipped_report(slit::unflip_in_disk(made.mesh, map, which)));
+    distortion = slit::distortion_in_disk(made.mesh, map);
+  }
+  add(made, distortion);
   made.layout = show::disk_layout(made.mesh, map.position);
   return made;
 }
@@ -148,8 +162,8 @@ Made make_disk(const mesh::OpenedMesh& surface, const Options& options) {
 
 /// The picture after so many openings instead of the circular domain.
 show::Layout stage_layout(const slit::OneForms& forms, const slit::SlitMap& map,
-                          const slit::CircularMap& circular, int stage) {
-  const auto last = static_cast<int>(circular.domain.stages.size()) - 1;
+                           const slit::CircularMap& circular, int stage) {
+  const auto last = static_cast<int>(map.slits.size());
   if (stage > last)
     throw InputError("--stage " + std::to_string(stage) + ": the last stage is " + std::to_string(last) +
                      ", with all slits open");

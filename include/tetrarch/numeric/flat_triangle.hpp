@@ -31,7 +31,8 @@ double longest_squared(const FlatTriangle& p);
 /// The nearest point to z of the segment from `from` to `to`, as the part of the way.
 double nearest_part(std::complex<double> from, std::complex<double> to, std::complex<double> z);
 
-/// The ratio of the axes of the linear map from p to q; 0 where it does not keep the orientation.
+/// The ratio of the axes of the linear map from p to q; 0 where it does not keep the orientation, or keeps it
+/// by rounding only.
 double ratio_of_axes(const FlatTriangle& p, const FlatTriangle& q);
 
 } // namespace tetrarch::numeric

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "text.hpp"
+#include "tetrarch/workshop/text.hpp"
 
 #include <algorithm>
 #include <array>
 #include <charconv>
 
-namespace tetrarch::program {
+namespace tetrarch::workshop {
 namespace {
 
 std::string formatted(double x, std::chars_format format, int decimals) {
@@ -55,4 +55,4 @@ std::string counted(long long n, const std::string& noun) {
   return text + "s";
 }
 
-} // namespace tetrarch::program
+} // namespace tetrarch::workshop

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "json.hpp"
+#include "tetrarch/workshop/tree.hpp"
 
 #include "tetrarch/core/error.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
-namespace tetrarch::program {
+namespace tetrarch::workshop {
 namespace {
 
 /// Writes a tree; scalars as the JSON library writes them.
@@ -48,13 +49,13 @@ private:
   int indent_;
 };
 
-Json tree_of(const nlohmann::ordered_json& value) {
-  Json json;
+Tree tree_of(const nlohmann::ordered_json& value) {
+  Tree json;
   if (value.is_object()) {
-    json = Json::object();
+    json = Tree::object();
     for (const auto& [key, member] : value.items()) json[key] = tree_of(member);
   } else if (value.is_array()) {
-    json = Json::array();
+    json = Tree::array();
     for (const auto& item : value) json.push_back(tree_of(item));
   } else if (value.is_string()) {
     json = value.get<std::string>();
@@ -76,8 +77,8 @@ Json tree_of(const nlohmann::ordered_json& value) {
 
 } // namespace
 
-Json::Json(std::initializer_list<Json> items) {
-  const auto is_member = [](const Json& item) {
+Tree::Tree(std::initializer_list<Tree> items) {
+  const auto is_member = [](const Tree& item) {
     const Array* const pair = std::get_if<Array>(&item.value_);
     return pair != nullptr && pair->size() == 2 && std::holds_alternative<std::string>(pair->front().value_);
   };
@@ -87,26 +88,26 @@ Json::Json(std::initializer_list<Json> items) {
   }
   Object members;
   members.reserve(items.size());
-  for (const Json& item : items) {
+  for (const Tree& item : items) {
     const Array& pair = std::get<Array>(item.value_);
     members.emplace_back(std::get<std::string>(pair[0].value_), pair[1]);
   }
   value_ = std::move(members);
 }
 
-Json Json::array() {
-  Json json;
+Tree Tree::array() {
+  Tree json;
   json.value_ = Array();
   return json;
 }
 
-Json Json::object() {
-  Json json;
+Tree Tree::object() {
+  Tree json;
   json.value_ = Object();
   return json;
 }
 
-Json Json::parse(std::string_view text) {
+Tree Tree::parse(std::string_view text) {
   try {
     return tree_of(nlohmann::ordered_json::parse(text));
   } catch (const nlohmann::ordered_json::exception& e) {
@@ -114,88 +115,104 @@ Json Json::parse(std::string_view text) {
   }
 }
 
-std::size_t Json::size() const {
+std::size_t Tree::size() const {
   if (const Array* const items = std::get_if<Array>(&value_)) return items->size();
   const Object* const members = std::get_if<Object>(&value_);
   return members == nullptr ? 0 : members->size();
 }
 
-Json& Json::operator[](std::string_view key) {
+Tree& Tree::operator[](std::string_view key) {
   if (is_null()) value_ = Object();
   Object* const members = std::get_if<Object>(&value_);
   if (members == nullptr) refuse("object");
   const auto found = std::find_if(members->begin(), members->end(),
                                   [key](const auto& member) { return member.first == key; });
-  return found != members->end() ? found->second : members->emplace_back(key, Json()).second;
+  return found != members->end() ? found->second : members->emplace_back(key, Tree()).second;
 }
 
-const Json& Json::operator[](std::string_view key) const {
+const Tree& Tree::operator[](std::string_view key) const {
   if (const Object* const members = std::get_if<Object>(&value_))
     for (const auto& [name, value] : *members)
       if (name == key) return value;
   refuse("object with this member");
 }
 
-void Json::update(const Json& other) {
+void Tree::update(const Tree& other) {
   const Object* const members = std::get_if<Object>(&other.value_);
   if (members == nullptr) refuse("object");
   for (const auto& [key, value] : *members) (*this)[key] = value;
 }
 
-void Json::erase(std::string_view key) {
+void Tree::erase(std::string_view key) {
   if (Object* const members = std::get_if<Object>(&value_))
     std::erase_if(*members, [key](const auto& member) { return member.first == key; });
 }
 
-void Json::push_back(Json item) {
+void Tree::push_back(Tree item) {
   if (is_null()) value_ = Array();
   Array* const items = std::get_if<Array>(&value_);
   if (items == nullptr) refuse("array");
   items->push_back(std::move(item));
 }
 
-const Json& Json::front() const {
+const Tree& Tree::front() const {
   if (empty()) refuse("array with items");
   return *begin();
 }
 
-const Json& Json::back() const {
+const Tree& Tree::back() const {
   if (empty()) refuse("array with items");
   return *(end() - 1);
 }
 
-Json::Array::const_iterator Json::begin() const {
+Tree::Array::const_iterator Tree::begin() const {
   const Array* const items = std::get_if<Array>(&value_);
   if (items == nullptr) refuse("array");
   return items->begin();
 }
 
-Json::Array::const_iterator Json::end() const {
+Tree::Array::const_iterator Tree::end() const {
   const Array* const items = std::get_if<Array>(&value_);
   if (items == nullptr) refuse("array");
   return items->end();
 }
 
-const std::string& Json::text() const {
+const std::string& Tree::text() const {
   const std::string* const value = std::get_if<std::string>(&value_);
   if (value == nullptr) refuse("text");
   return *value;
 }
 
-int Json::integer() const {
+int Tree::integer() const {
   if (const auto* const value = std::get_if<std::int64_t>(&value_)) return static_cast<int>(*value);
   if (const auto* const value = std::get_if<std::uint64_t>(&value_)) return static_cast<int>(*value);
   refuse("integer");
 }
 
-double Json::number() const {
+double Tree::number() const {
   if (const auto* const value = std::get_if<double>(&value_)) return *value;
   return integer();
 }
 
-std::string Json::dump(int indent) const {
+std::string Tree::where_not_a_number() const {
+  const auto inside = [](std::string name, const Tree& value) {
+    const double* const number = std::get_if<double>(&value.value_);
+    if (number != nullptr) return std::isnan(*number) ? name : std::string();
+    const std::string found = value.where_not_a_number();
+    return found.empty() ? found : std::move(name) + "/" + found;
+  };
+  if (const Object* const object = std::get_if<Object>(&value_); object != nullptr)
+    for (const auto& [name, value] : *object)
+      if (std::string found = inside(name, value); !found.empty()) return found;
+  if (const Array* const array = std::get_if<Array>(&value_); array != nullptr)
+    for (std::size_t k = 0; k < array->size(); ++k)
+      if (std::string found = inside(std::to_string(k), (*array)[k]); !found.empty()) return found;
+  return {};
+}
+
+std::string Tree::dump(int indent) const {
   Writer writer(indent);
-  const auto write = [&writer](const auto& self, const Json& json, std::size_t depth) -> void {
+  const auto write = [&writer](const auto& self, const Tree& json, std::size_t depth) -> void {
     if (const Array* const items = std::get_if<Array>(&json.value_)) {
       writer.list("[]", items->size(), depth, [&](std::size_t k) { self(self, (*items)[k], depth + 1); });
     } else if (const Object* const members = std::get_if<Object>(&json.value_)) {
@@ -219,4 +236,4 @@ std::string Json::dump(int indent) const {
   return writer.text;
 }
 
-} // namespace tetrarch::program
+} // namespace tetrarch::workshop
