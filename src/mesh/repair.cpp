@@ -28,6 +28,13 @@ void remove_flagged(Elements& elements, format::Labels& labels, int first_number
   labels = std::move(kept);
 }
 
+void remove_flagged_tags(std::vector<int>& tags, const std::vector<char>& flagged) {
+  std::size_t kept = 0;
+  for (std::size_t t = 0; t < tags.size(); ++t)
+    if (!flagged[t]) tags[kept++] = tags[t];
+  tags.resize(kept);
+}
+
 template <std::size_t N>
 bool in_range(const format::Soup& soup, const std::array<int, N>& corners) {
   return std::all_of(corners.begin(), corners.end(),
@@ -85,6 +92,7 @@ void remove_duplicate_tetrahedra(Repaired& result) {
   const auto count = std::count(duplicate.begin(), duplicate.end(), 1);
   if (count == 0) return;
   remove_flagged(soup.tetrahedra, soup.tetrahedron_labels, soup.first_number, duplicate);
+  remove_flagged_tags(soup.tetrahedron_tags, duplicate);
   result.done.push_back(counted("removed", count, "duplicate tetrahedra"));
 }
 
@@ -93,10 +101,7 @@ void remove_triangles(Repaired& result, const std::vector<char>& flagged, const 
   if (count == 0) return;
   format::Soup& soup = result.soup;
   remove_flagged(soup.triangles, soup.triangle_labels, soup.first_number, flagged);
-  std::size_t kept = 0;
-  for (std::size_t t = 0; t < soup.triangle_tags.size(); ++t)
-    if (!flagged[t]) soup.triangle_tags[kept++] = soup.triangle_tags[t];
-  soup.triangle_tags.resize(kept);
+  remove_flagged_tags(soup.triangle_tags, flagged);
   result.done.push_back(counted("removed", count, what));
 }
 

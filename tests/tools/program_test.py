@@ -608,7 +608,7 @@ class Manners(unittest.TestCase):
     def test_version_names_the_libraries(self):
         done = run("--version")
         self.assertEqual(done.returncode, 0)
-        for library in ("Boost", "Eigen", "GMP", "MPFR", "nlohmann-json", "CLI11", "pugixml", "zlib"):
+        for library in ("Boost", "Eigen", "GMP", "MPFR", "nlohmann-json", "CLI11", "pugixml", "zlib", "LZ4", "liblzma"):
             self.assertIn(library, done.stdout)
         linked = subprocess.run(["ldd", PROGRAM], capture_output=True, text=True).stdout
         for library in ("CHOLMOD", "libedit"):

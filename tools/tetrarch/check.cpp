@@ -104,7 +104,6 @@ Result check(const Options& options, const Context& context) {
   format::Soup soup = read_soup(options.input, context);
   const bool is_surface = soup.tetrahedra.empty() && !soup.triangles.empty();
   Result result;
-  result.warnings = soup.warnings;
   Json repairs = Json::array();
   if (options.repair) {
     mesh::Repaired repaired = mesh::repair(std::move(soup));

@@ -35,7 +35,6 @@ Result convert_mesh(const Options& options, format::MeshFormat to, const Context
   require_folder(options.output);
   const format::Soup soup = read_soup(options.input, context);
   Result result;
-  result.warnings = soup.warnings;
   result.json = {{"output", options.output},
                  {"format", format::name_of(to)},
                  {"tetrahedra", soup.tetrahedra.size()},
@@ -69,7 +68,6 @@ const format::MeshDocument* json_mesh(const Options& options, const Value& value
 Result convert_json_mesh(const Options& options, const format::MeshDocument& mesh) {
   require_folder(options.output);
   Result result;
-  result.warnings = mesh.soup.warnings;
   std::string text = write_mesh_json(mesh);
   if (options.output.empty()) {
     result.text = std::move(text);

@@ -38,7 +38,7 @@ void add_remarks(const format::Soup& soup, const mesh::Report& report, std::vect
 }
 
 format::Document triangulation_of(format::Soup soup, const Context& context, bool repair) {
-  std::vector<std::string> warnings = std::move(soup.warnings);
+  std::vector<std::string> warnings;
   if (repair) {
     mesh::Repaired repaired = mesh::repair(std::move(soup));
     soup = std::move(repaired.soup);
@@ -85,6 +85,11 @@ format::GroupDocument group_document(algebra::Presentation group, std::string na
 format::Document noted(format::Document document, const Context& context) {
   context.reads->passed_over.add(document.passed_over);
   return document;
+}
+
+format::Soup noted(format::Soup soup, const Context& context) {
+  context.reads->passed_over.add(soup.passed_over);
+  return soup;
 }
 
 /// The manifold of a name, "m004", or of a name with Dehn fillings, "m004(1,2)", which are passed over.
@@ -172,7 +177,7 @@ format::Document read_triangulation(const std::string& argument, const Context& 
   std::optional<format::MeshDocument> mesh = mesh_in(given, text);
   if (!mesh) return noted(format::read_any(text, format::source_name(given)), context);
   text = std::string();
-  return triangulation_of(std::move(mesh->soup), context, repair);
+  return triangulation_of(noted(std::move(mesh->soup), context), context, repair);
 }
 
 format::Soup read_soup(const std::string& argument, const Context& context) {
@@ -189,7 +194,7 @@ format::Soup read_soup(const std::string& argument, const Context& context) {
   const std::string path = located(argument);
   format::Soup soup = format::read_soup_file(path);
   if (path != argument) soup.source = argument;
-  return soup;
+  return noted(std::move(soup), context);
 }
 
 std::vector<LocatedGroup> read_groups(const std::string& argument, const Context& context, bool as_given) {
@@ -241,6 +246,8 @@ ValuePointer read_value(const std::string& argument, const Context& context) {
   const auto made = [&context](Value value) {
     if (const auto* document = std::get_if<format::Document>(&value))
       context.reads->passed_over.add(document->passed_over);
+    else if (const auto* mesh = std::get_if<format::MeshDocument>(&value))
+      context.reads->passed_over.add(mesh->soup.passed_over);
     return std::make_shared<Value>(std::move(value));
   };
   if (is_group(given)) return made(value_in(given, given_group));

@@ -66,7 +66,6 @@ void check(const Options& options) {
 
 format::Soup read(const Options& options, Report& report, const Context& context) {
   format::Soup soup = read_soup(options.input, context);
-  report.warnings = soup.warnings;
   if (!options.repair) return soup;
   mesh::Repaired repaired = mesh::repair(std::move(soup));
   report.warnings.insert(report.warnings.end(), repaired.done.begin(), repaired.done.end());

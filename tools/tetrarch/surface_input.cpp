@@ -68,7 +68,6 @@ SurfaceInput read_surface(const std::string& argument, const Context& context, b
   if (soup.triangles.empty())
     throw InputError({soup.source, 0}, "there are no triangles (expected a surface)");
   soup.tetrahedra.clear();
-  input.warnings = std::move(soup.warnings);
   if (repair) {
     mesh::Repaired repaired = mesh::repair(std::move(soup));
     soup = std::move(repaired.soup);

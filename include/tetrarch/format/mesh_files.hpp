@@ -5,11 +5,11 @@
 ///
 /// | format | extension  | holds       | begins with                            |
 /// | ------ | ---------- | ----------- | -------------------------------------- |
-/// | medit  | .mesh      | both        | MeshVersionFormatted                   |
-/// | gmsh   | .msh       | both        | $MeshFormat                            |
-/// | tetgen | .node .ele | tetrahedra  | numbers: known by its extension only   |
+/// | medit  | .mesh .meshb | both      | MeshVersionFormatted, or 1 as bytes    |
+/// | gmsh   | .msh       | both        | $MeshFormat, $Comments or $NOD         |
+/// | tetgen | .node .ele | both        | numbers: known by its extension only   |
 /// | vtk    | .vtk       | both        | # vtk DataFile                         |
-/// | vtu    | .vtu       | both        | <VTKFile, within the first kilobytes   |
+/// | vtu    | .vtu .vtp  | both        | <VTKFile, within the first kilobytes   |
 /// | obj    | .obj       | a surface   | v, vn, vt, o, g, mtllib or usemtl      |
 /// | off    | .off       | a surface   | OFF, COFF, NOFF and the like           |
 /// | stl    | .stl       | a surface   | solid, or the length says so (binary)  |
