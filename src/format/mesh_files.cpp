@@ -206,6 +206,24 @@ std::string write_soup(const Soup& soup, MeshFormat format) {
   throw PreconditionError("no such mesh format");
 }
 
+Ledger not_held(const Soup& soup, MeshFormat format) {
+  Ledger ledger;
+  const auto labels = [&ledger](const std::vector<int>& tags, const char* what, bool negative_ones_only) {
+    ledger.note(what, std::count_if(tags.begin(), tags.end(), [negative_ones_only](int tag) {
+                  return negative_ones_only ? tag < 0 : tag != 0;
+                }));
+  };
+  if (holds_surfaces_only(format)) {
+    ledger.note("tetrahedron", static_cast<std::int64_t>(soup.tetrahedra.size()));
+    labels(soup.triangle_tags, "label of a triangle", false);
+    labels(soup.tetrahedron_tags, "label of a tetrahedron", false);
+  } else if (format == MeshFormat::gmsh) {
+    labels(soup.triangle_tags, "negative label of a triangle", true);
+    labels(soup.tetrahedron_tags, "negative label of a tetrahedron", true);
+  }
+  return ledger;
+}
+
 void write_soup_file(const Soup& soup, const std::string& path) {
   const std::optional<MeshFormat> format = mesh_format_for_extension(path);
   if (!format)

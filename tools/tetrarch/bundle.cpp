@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "command.hpp"
+#include "doctor.hpp"
 #include "embedding.hpp"
 #include "info.hpp"
 #include "output.hpp"
@@ -41,7 +42,7 @@ struct Options {
   PlanOptions plan;
   std::optional<int> twist;
   double memory = 4;
-  bool repair = false;
+  Doctor doctor;
 };
 
 bool is_svg(const std::string& path) {
@@ -274,7 +275,7 @@ Rows details_rows(const Plan& plan, const Json& details, const Made& made, const
 
 Result run_bundle(const Options& options, const Context& context) {
   require_outputs(options);
-  const SurfaceInput surface = read_surface(options.input, context, options.repair);
+  const SurfaceInput surface = read_surface(options.input, context, options.doctor);
   const PlanOptions wanted = plan_options(options, surface);
   const SurfaceType type = mesh::type_of(surface.mesh.surface);
   require_room(wanted, surface, type, options);
@@ -346,8 +347,7 @@ Run declare_bundle(OptionTable& table) {
   table.add("--obstruction", o->obstruction, "write the part of a disk that has no solution to this file")
       .value_name("FILE");
   table.add("--memory", o->memory, "greatest memory to use, in gigabytes").with_default();
-  table.add("--repair", o->repair,
-            "first repair the mesh: orientation, duplicates, unused vertices, degenerate triangles");
+  declare_doctor(table, o->doctor);
   return [o](const Context& context) { return run_bundle(*o, context); };
 }
 

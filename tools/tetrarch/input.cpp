@@ -16,7 +16,6 @@
 #include "tetrarch/format/signature_text.hpp"
 #include "tetrarch/format/text.hpp"
 #include "tetrarch/mesh/fill.hpp"
-#include "tetrarch/mesh/repair.hpp"
 #include "tetrarch/mesh/tet_mesh.hpp"
 
 #include <optional>
@@ -37,13 +36,8 @@ void add_remarks(const format::Soup& soup, const mesh::Report& report, std::vect
   }
 }
 
-format::Document triangulation_of(format::Soup soup, const Context& context, bool repair) {
-  std::vector<std::string> warnings;
-  if (repair) {
-    mesh::Repaired repaired = mesh::repair(std::move(soup));
-    soup = std::move(repaired.soup);
-    warnings.insert(warnings.end(), repaired.done.begin(), repaired.done.end());
-  }
+format::Document triangulation_of(format::Soup soup, const Context& context, const Doctor& doctor) {
+  std::vector<std::string> warnings = mend(soup, doctor);
   if (soup.tetrahedra.empty() && !soup.triangles.empty()) {
     soup = mesh::fill(soup, context.progress);
     warnings.push_back("the surface was filled with " + std::to_string(soup.tetrahedra.size()) +
@@ -160,24 +154,25 @@ Value value_in(const std::string& text, const std::string& source) {
 } // namespace
 
 format::Document triangulation_of(const std::string& name, const Value& value, const Context& context,
-                                  bool repair) {
+                                  const Doctor& doctor) {
   if (const auto* document = std::get_if<format::Document>(&value)) return *document;
   if (const auto* mesh = std::get_if<format::MeshDocument>(&value))
-    return triangulation_of(mesh->soup, context, repair);
+    return triangulation_of(mesh->soup, context, doctor);
   refuse(name, value, "a triangulation");
 }
 
-format::Document read_triangulation(const std::string& argument, const Context& context, bool repair) {
+format::Document read_triangulation(const std::string& argument, const Context& context,
+                                    const Doctor& doctor) {
   const std::string given = bared(argument);
   context.reads->any = true;
   if (const Value* value = value_named(given, context))
-    return triangulation_of(given, *value, context, repair);
+    return triangulation_of(given, *value, context, doctor);
   if (!is_file(given)) return noted(given_document(given), context);
   std::string text;
   std::optional<format::MeshDocument> mesh = mesh_in(given, text);
   if (!mesh) return noted(format::read_any(text, format::source_name(given)), context);
   text = std::string();
-  return triangulation_of(noted(std::move(mesh->soup), context), context, repair);
+  return triangulation_of(noted(std::move(mesh->soup), context), context, doctor);
 }
 
 format::Soup read_soup(const std::string& argument, const Context& context) {

@@ -18,12 +18,13 @@
 ///     1 1 2 3 4                tag and nodes of an element
 ///     $EndElements
 ///
-/// Quadrilaterals, pyramids, prisms and hexahedra are cut, elements of higher order read by their corners; the
-/// ledger counts these, points and lines. Tags of triangles and tetrahedra are physical groups, the first one
-/// where there are several; what is in none gets 0, unless there are no groups at all: then the entities are
-/// the tags, if there are several. Parts that a partition made belong to the groups of the whole. Versions 1,
-/// 2.x, 4.0 and 4.1 are read; sections other than nodes, elements and entities are passed over. Nodes are
-/// points in the order of the file. Source: Gmsh reference manual, "MSH file format" and "Legacy formats".
+/// Quadrilaterals, pyramids, prisms and hexahedra are cut, elements of higher order read by their corners;
+/// the ledger counts these, points and lines. Tags of triangles and tetrahedra are physical groups, the first
+/// one where there are several; what is in none gets 0, unless there are no groups at all: then the entities
+/// are the tags, if there are several. Parts that a partition made belong to the groups of the whole.
+/// Versions 1, 2.x, 4.0 and 4.1 are read; sections other than nodes, elements and entities are passed over.
+/// Nodes are points in the order of the file. Source: Gmsh reference manual, "MSH file format" and "Legacy
+/// formats".
 
 #include "tetrarch/format/soup.hpp"
 

@@ -53,7 +53,9 @@ Soup read_soup_file(const std::string& path);
 /// format for surfaces would be left empty, and for TetGen's format, which is two texts.
 /// O(size).
 std::string write_soup(const Soup& soup, MeshFormat format);
-/// Writes to `path`, and with it to the other one of TetGen's two files, by the extension of `path`. Each
+/// What of a soup the format cannot hold.
+Ledger not_held(const Soup& soup, MeshFormat format);
+/// Writes to `path`, and with it to the others of TetGen's files, by the extension of `path`. Each
 /// file appears whole or not at all. Throws InputError, also for an extension that is not known.
 void write_soup_file(const Soup& soup, const std::string& path);
 

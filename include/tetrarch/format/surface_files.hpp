@@ -11,15 +11,14 @@
 ///     f 1/5/2 2 4        3 0 2 1            ...                      ...
 ///
 /// OBJ counts points from 1, or from the last one backwards as -1; a backslash at the end of a line goes on
-/// with the next. OFF: also COFF, NOFF, STOFF and the like, BINARY, with the counts glued to the head, without
-/// the head or the number of edges. STL, text or binary (little-endian), has no points but corners: those of
-/// equal coordinates become one point; several solids in one text are patches, whose tags count from 0;
-/// keywords may be in capitals, the last solid may lack its end. PLY: text or binary of either order; faces
-/// are lists vertex_indices or vertex_index, triangle strips are read too. Polygons are cut into triangles.
-/// What else is there (normals, colors, names, materials, other elements and properties) is counted in the
-/// ledger.
-/// Sources: Wavefront's OBJ specification; the Geomview manual, "OFF files"; Burns, "Automated Fabrication",
-/// section 6.5 (STL); Turk, "The PLY polygon file format" (1994).
+/// with the next. OFF: also COFF, NOFF, STOFF and the like, BINARY, with the counts glued to the head,
+/// without the head or the number of edges. STL, text or binary (little-endian), has no points but corners:
+/// those of equal coordinates become one point; several solids in one text are patches, whose tags count from
+/// 0; keywords may be in capitals, the last solid may lack its end. PLY: text or binary of either order;
+/// faces are lists vertex_indices or vertex_index, triangle strips are read too. Polygons are cut into
+/// triangles. What else is there (normals, colors, names, materials, other elements and properties) is
+/// counted in the ledger. Sources: Wavefront's OBJ specification; the Geomview manual, "OFF files"; Burns,
+/// "Automated Fabrication", section 6.5 (STL); Turk, "The PLY polygon file format" (1994).
 
 #include "tetrarch/format/soup.hpp"
 

@@ -17,8 +17,8 @@
 ///
 /// Legacy: binary numbers are big-endian; version 5 has OFFSETS and CONNECTIVITY below CELLS; DATASET
 /// POLYDATA with POLYGONS and TRIANGLE_STRIPS is a surface. XML: arrays are text, base64, or appended (raw or
-/// base64), not compressed or by zlib, LZ4 or LZMA; PolyData (`.vtp`) is a surface; several pieces follow each
-/// other, each with its own points. Points and cells are counted from 0; in XML, lines are not known.
+/// base64), not compressed or by zlib, LZ4 or LZMA; PolyData (`.vtp`) is a surface; several pieces follow
+/// each other, each with its own points. Points and cells are counted from 0; in XML, lines are not known.
 /// Polygons, strips and volume cells of other shapes are cut, cells of higher order read by their corners;
 /// polyhedra are refused. Tags are the numbers of an array of cells called "label", or as meshio, Gmsh and
 /// others call it ("gmsh:physical", "medit:ref", "CellEntityIds", "region"). The ledger counts all the rest.
