@@ -16,6 +16,7 @@ import time
 import unittest
 
 from inputs_test import *  # noqa: F401,F403: what stands for a triangulation
+from meshes_test import *  # noqa: F401,F403: meshes from elsewhere, and mending them
 from options_test import *  # noqa: F401,F403: the tests of options that stand nowhere else
 from running import PROGRAM, InFolder, SOURCE, run, run_json, unused_options
 
@@ -363,8 +364,7 @@ class Meshes(unittest.TestCase):
 
     def test_what_would_be_lost_is_refused(self):
         with tempfile.TemporaryDirectory() as folder:
-            for arguments, word in ((["convert", KNOTTED_Y, "-o", "y.stl"], "no triangles"),
-                                    (["truncate", KNOTTED_Y, "-o", "y.json", "--moves", "./y.json"], "two results"),
+            for arguments, word in ((["truncate", KNOTTED_Y, "-o", "y.json", "--moves", "./y.json"], "two results"),
                                     (["truncate", KNOTTED_Y, "--moves", "none/y.txt"], "no such folder"),
                                     (["hyperbolize", "cPcbbbihq", "-o", "y.tri"], "only JSON"),
                                     (["convert", "cPcbbbihq", "-o", "y.mesh"], "coordinates")):

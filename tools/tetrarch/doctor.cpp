@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "doctor.hpp"
 
+#include "tetrarch/core/error.hpp"
 #include "tetrarch/mesh/repair.hpp"
 #include "tetrarch/mesh/weld.hpp"
 
+#include <cmath>
 #include <utility>
 
 namespace tetrarch::program {
@@ -26,6 +28,7 @@ void declare_doctor(OptionTable& table, Doctor& doctor) {
 std::vector<std::string> mend(format::Soup& soup, const Doctor& doctor) {
   std::vector<std::string> done;
   if (doctor.weld) {
+    if (!std::isfinite(*doctor.weld)) throw InputError("--weld: expected a finite tolerance");
     mesh::Repaired welded = mesh::weld(std::move(soup), *doctor.weld);
     soup = std::move(welded.soup);
     done = std::move(welded.done);
