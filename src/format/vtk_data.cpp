@@ -12,12 +12,15 @@ constexpr bool swapped = swapped_if(std::endian::big);
 /// The names that the legacy format gives its number types. Whatever its size in memory, an id has 4 bytes in
 /// a file.
 const std::map<std::string_view, VtkScalar> scalar_types{
-    {"bit", {0, false}},           {"char", {1, false}},         {"signed_char", {1, false}},
-    {"unsigned_char", {1, false}}, {"short", {2, false}},        {"unsigned_short", {2, false}},
-    {"int", {4, false}},           {"unsigned_int", {4, false}}, {"long", {8, false}},
-    {"unsigned_long", {8, false}}, {"vtktypeint64", {8, false}}, {"vtktypeuint64", {8, false}},
-    {"vtkIdType", {4, false}},     {"vtkidtype", {4, false}},    {"float", {4, true}},
-    {"double", {8, true}}};
+    {"bit", {0, false}},           {"char", {1, false}},          {"signed_char", {1, false}},
+    {"unsigned_char", {1, false}}, {"short", {2, false}},         {"unsigned_short", {2, false}},
+    {"int", {4, false}},           {"unsigned_int", {4, false}},  {"long", {8, false}},
+    {"unsigned_long", {8, false}}, {"long_long", {8, false}},     {"unsigned_long_long", {8, false}},
+    {"vtktypeint8", {1, false}},   {"vtktypeuint8", {1, false}},  {"vtktypeint16", {2, false}},
+    {"vtktypeuint16", {2, false}}, {"vtktypeint32", {4, false}},  {"vtktypeuint32", {4, false}},
+    {"vtktypeint64", {8, false}},  {"vtktypeuint64", {8, false}}, {"vtkIdType", {4, false}},
+    {"vtkidtype", {4, false}},     {"float", {4, true}},          {"double", {8, true}},
+    {"vtktypefloat32", {4, true}}, {"vtktypefloat64", {8, true}}};
 
 } // namespace
 

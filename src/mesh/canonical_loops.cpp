@@ -176,7 +176,9 @@ void Builder::choose_start() {
   using Start = std::tuple<double, std::size_t, std::pair<int, int>>;
   std::priority_queue<Start, std::vector<Start>, std::greater<>> queue;
   std::map<std::pair<int, int>, double> bounds; // of the corners that there still are
-  for (std::size_t k = first % 4; k < word.size(); k += 4) {
+  // A single commutator may be read from each of its letters on.
+  const std::size_t step = word.size() == 4 ? 1 : 4;
+  for (std::size_t k = first % step; k < word.size(); k += step) {
     const std::pair marks(word[(k + word.size() - 1) % word.size()], word[k]);
     const auto known = bounds_.find(marks);
     bounds[marks] = known == bounds_.end() ? -1 : known->second;

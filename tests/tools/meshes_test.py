@@ -134,6 +134,22 @@ class Doctors(InFolder):
         self.assertIn("removed 1 unused vertices", done.stderr)
 
 
+class Structures(InFolder):
+    def test_view_and_embed_find_the_structure_first(self):
+        solid = os.path.join(SOURCE, "tests/data/knotted_y_8k.mesh")  # the exterior of a knotted Y: cPcbbbihq
+        for arguments in (("view", solid, "-o", self.path("y.html")), ("embed", solid, "-o", self.path("y.glb"))):
+            done = run(*arguments)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.assertIn("found on another triangulation, of 2 tetrahedra: cPcbbbihq", done.stderr)
+        self.assertEqual(run("embed", "cPcbbbihq").stderr, "")
+        # Yin, section 4.2.3.
+        self.assertIn("6.451990270835", run("embed", solid).stdout)
+        # A solid torus has none.
+        done = run("view", "bkaaid", "-o", self.path("none.html"))
+        self.assertEqual((done.returncode, done.stderr.count("\n")), (2, 1))
+        self.assertIn("there is no structure to embed", done.stderr)
+
+
 class Bundles(InFolder):
     def test_what_a_bundle_has_no_use_for_is_refused(self):
         torus = os.path.join(DATA, "torus.off")
