@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <cstdlib>
+#include <deque>
 #include <limits>
 #include <optional>
 #include <type_traits>
@@ -103,9 +104,12 @@ private:
   std::vector<std::vector<int>> column_rows_; ///< a superset of each column's rows, repetitions possible
   std::vector<int> column_count_;             ///< exact
   std::vector<int> queued_;                   ///< the count under which a column waits in its bucket, or 0
-  std::vector<std::vector<int>> buckets_;     ///< columns by count; outdated ones are skipped when met
-  std::size_t lowest_ = 0;                    ///< no bucket below it holds anything
-  std::vector<int> lone_rows_;                ///< rows that came down to one entry
+  /// Columns by count; outdated ones are skipped when met. First in, first out: along a chain of short
+  /// relations pairs are joined in rounds then, and not one row grows by every next one, which costs the
+  /// square.
+  std::vector<std::deque<int>> buckets_;
+  std::size_t lowest_ = 0;     ///< no bucket below it holds anything
+  std::vector<int> lone_rows_; ///< rows that came down to one entry
   Row<S> scratch_;
   int units_ = 0;
   std::vector<S> divisors_;
@@ -150,8 +154,8 @@ template <class S>
 std::optional<int> Elimination<S>::shortest_column() {
   for (; lowest_ < buckets_.size(); ++lowest_) {
     while (!buckets_[lowest_].empty()) {
-      const int column = buckets_[lowest_].back();
-      buckets_[lowest_].pop_back();
+      const int column = buckets_[lowest_].front();
+      buckets_[lowest_].pop_front();
       if (queued_[column] != static_cast<int>(lowest_)) continue;
       queued_[column] = 0;
       if (column_count_[column] > 0) return column;

@@ -8,6 +8,8 @@
 #include "tetrarch/mesh/equator.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstdlib>
 #include <string>
 #include <utility>
@@ -18,10 +20,30 @@ namespace {
 using mesh::MarkedSurface;
 using Method = Plan::Method;
 
+/// The power of two that makes the greatest coordinate about 1, if it is so large or small that lengths,
+/// middles of edges or their sums would leave the range of doubles; else 0, so that nothing is rounded.
+int exponent_of(const std::vector<std::array<double, 3>>& points) {
+  double greatest = 0;
+  for (const auto& p : points)
+    for (const double x : p) greatest = std::max(greatest, std::fabs(x));
+  constexpr int harmless = 300; // of 1023: squares and sums of many are in range
+  const int exponent = greatest > 0 && std::isfinite(greatest) ? std::ilogb(greatest) : 0;
+  return std::abs(exponent) > harmless ? exponent : 0;
+}
+
+void scale(std::vector<std::array<double, 3>>& points, int exponent) {
+  if (exponent == 0) return;
+  for (auto& p : points)
+    for (double& x : p) x = std::scalbn(x, exponent);
+}
+
 class Planner {
 public:
-  Planner(MarkedSurface surface, const PlanOptions& options) : options_(options) {
+  Planner(MarkedSurface surface, const PlanOptions& options, const Progress& progress)
+      : options_(options), progress_(progress) {
     plan_.cut = std::move(surface);
+    exponent_ = exponent_of(plan_.cut.points);
+    scale(plan_.cut.points, -exponent_);
     std::fill(plan_.cut.mark.begin(), plan_.cut.mark.end(), 0);
     type_ = mesh::type_of(plan_.cut.surface);
     if (options_.fiber < 1) throw PreconditionError("a fiber needs at least one edge");
@@ -44,6 +66,7 @@ public:
     std::vector<Shift> shift = shifts_of(plan_.cut, twist, root);
     Values values = values_of(plan_.cut, twist, options_.boundary);
     if (values.obstruction) return *std::move(values.obstruction);
+    scale(plan_.cut.points, exponent_);
     plan_.recipe = {plan_.cut.surface, options_.fiber, std::move(shift), std::move(values.value)};
     return std::move(plan_);
   }
@@ -55,10 +78,11 @@ private:
     if (type_.is_disk()) return 0;
     if (by_text && type_.is_sphere()) {
       plan_.method = Method::equator;
-      mesh::mark_equator(plan_.cut, std::max(3, std::abs(total_)));
+      constexpr int seeds = 8;
+      mesh::mark_equator(plan_.cut, std::max(3, std::abs(total_)), seeds, progress_);
     } else if (by_text && type_.is_closed() && type_.orientable) {
       plan_.method = Method::canonical_loops;
-      const mesh::CanonicalLoops loops = mesh::mark_canonical_loops(plan_.cut);
+      const mesh::CanonicalLoops loops = mesh::mark_canonical_loops(plan_.cut, -1, progress_);
       lengthen_loops();
       return loops.base;
     } else {
@@ -103,15 +127,18 @@ private:
   }
 
   const PlanOptions& options_;
+  const Progress& progress_;
   SurfaceType type_;
   Plan plan_;
-  int total_ = 0; ///< the twist in all
+  int total_ = 0;    ///< the twist in all
+  int exponent_ = 0; ///< of two, by which the points are divided meanwhile
 };
 
 } // namespace
 
-std::variant<Plan, Obstruction> plan(MarkedSurface surface, const PlanOptions& options) {
-  return Planner(std::move(surface), options).run();
+std::variant<Plan, Obstruction> plan(MarkedSurface surface, const PlanOptions& options,
+                                     const Progress& progress) {
+  return Planner(std::move(surface), options, progress).run();
 }
 
 } // namespace tetrarch::bundle

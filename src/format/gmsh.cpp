@@ -1,76 +1,73 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "tetrarch/format/gmsh.hpp"
 
+#include "gmsh_numbers.hpp"
 #include "mesh_text.hpp"
 #include "tag_index.hpp"
 
+#include <cstdlib>
 #include <map>
+#include <utility>
 
 namespace tetrarch::format {
 namespace {
 
-/// Nodes and dimension of Gmsh's element types 1 to 31; a type that is not here is unknown.
-struct ElementType {
-  int nodes;
-  int dimension;
-};
-constexpr std::array<ElementType, 32> element_types{
-    {{0, 0},  {2, 1},  {3, 2},  {4, 2},  {4, 3}, {8, 3}, {6, 3},  {5, 3},  {3, 1},  {6, 2}, {9, 2},
-     {10, 3}, {27, 3}, {18, 3}, {14, 3}, {1, 0}, {8, 2}, {20, 3}, {15, 3}, {13, 3}, {9, 2}, {10, 2},
-     {12, 2}, {15, 2}, {15, 2}, {21, 2}, {4, 1}, {5, 1}, {6, 1},  {20, 3}, {35, 3}, {56, 3}}};
-constexpr int triangle_type = 2;
-constexpr int tetrahedron_type = 4;
-
 /// A node in text is at least "1 0 0 0\n", an element of either version at least as long.
 constexpr std::size_t shortest_line = 8;
 
-/// Integers and reals of a section, as text or as the bytes of this file.
-class GmshNumbers {
+/// A dimension and the number of an entity of it.
+using EntityName = std::pair<int, int>;
+
+struct Entity {
+  int group = 0;      ///< the first physical group; 0: none
+  int groups = 0;     ///< how many
+  EntityName whole{}; ///< of a part that a partition made, what it is part of; else itself
+};
+
+/// Where an element belongs: its physical group (0: none) and its entity.
+struct Origin {
+  int group;
+  int entity;
+  friend auto operator<=>(const Origin&, const Origin&) = default;
+};
+
+/// Which origins there are, numbered from 1, and what labels they become.
+class Origins {
 public:
-  explicit GmshNumbers(MeshCursor& in) : in_(in) {}
-
-  void set_binary(bool swapped) {
-    binary_ = true;
-    swapped_ = swapped;
+  int number(const Origin& origin) {
+    return numbers_.try_emplace(origin, static_cast<int>(numbers_.size()) + 1).first->second;
   }
-  bool is_binary() const { return binary_; }
-
-  /// Binary version 4.1 writes counts and tags with 8 bytes, the rest and all of version 2 with 4.
-  template <class Stored>
-  std::int64_t integer(std::string_view expected, std::int64_t least, std::int64_t greatest) {
-    if (!binary_) return in_.integer(expected, least, greatest);
-    const auto value =
-        static_cast<std::int64_t>(load<Stored>(in_.bytes(sizeof(Stored), expected).data(), swapped_));
-    if (value < least || value > greatest) in_.fail(std::to_string(value), expected);
-    return value;
-  }
-  double real(std::string_view expected) {
-    if (!binary_) return in_.number(expected);
-    return load<double>(in_.bytes(sizeof(double), expected).data(), swapped_);
-  }
-  std::array<double, 3> point() {
-    const double x = real("a coordinate");
-    const double y = real("a coordinate");
-    return {x, y, real("a coordinate")};
-  }
-  template <class Stored>
-  std::int64_t count(std::string_view expected) {
-    return integer<Stored>(expected, 0, most_elements);
-  }
-  template <class Stored>
-  int any(std::string_view expected) {
-    return static_cast<int>(integer<Stored>(expected, -most_elements - 1, most_elements));
-  }
-  template <class Stored>
-  int tag(std::string_view expected) {
-    return static_cast<int>(integer<Stored>(expected, 1, most_elements));
+  /// Makes labels of numbers: physical groups if there are any, 0 for what is in none; else entities, but one
+  /// alone tells nothing. So no entity's number is taken for a group's.
+  void make_labels(std::vector<int>& tags, const char* element, Ledger& passed_over) const {
+    std::vector<char> used(numbers_.size() + 1, 0);
+    for (const int tag : tags) used[static_cast<std::size_t>(tag)] = 1;
+    bool has_groups = false;
+    int entities = 0;
+    for (const auto& [origin, number] : numbers_) {
+      has_groups = has_groups || (used[static_cast<std::size_t>(number)] && origin.group != 0);
+      entities += used[static_cast<std::size_t>(number)];
+    }
+    std::vector<int> label(numbers_.size() + 1, 0);
+    for (const auto& [origin, number] : numbers_) {
+      if (has_groups)
+        label[static_cast<std::size_t>(number)] = origin.group;
+      else if (entities > 1)
+        label[static_cast<std::size_t>(number)] = origin.entity;
+    }
+    std::int64_t outside = 0;
+    for (int& tag : tags) {
+      tag = label[static_cast<std::size_t>(tag)];
+      outside += has_groups && tag == 0 ? 1 : 0;
+    }
+    passed_over.note(std::string("entity of a ") + element + " in no physical group", outside);
   }
 
 private:
-  MeshCursor& in_;
-  bool binary_ = false;
-  bool swapped_ = false;
+  std::map<Origin, int> numbers_;
 };
+
+enum class Version : std::uint8_t { v1, v2, v40, v41 };
 
 class GmshReader {
 public:
@@ -79,86 +76,139 @@ public:
   }
 
   Soup read() && {
-    read_format();
     while (!in_.at_end()) {
-      const std::string_view section = in_.token("a section");
+      const std::string section(in_.token("a section"));
       if (section.front() != '$') in_.fail(section, "a section, like $Nodes");
-      if (section == "$Entities" && !is_version_2_) {
-        read_entities();
-        end_section(section);
-      } else if (section == "$Nodes") {
-        read_nodes();
-        end_section(section);
-      } else if (section == "$Elements") {
-        read_elements();
+      if (read_section(section)) {
         end_section(section);
       } else {
-        in_.pass_over("$End" + std::string(section.substr(1)));
+        if (section != "$Comments") soup_.passed_over.note("section " + section);
+        in_.pass_over("$End" + section.substr(1));
       }
     }
+    if (!has_format_) in_.fail("", "$MeshFormat");
+    cells_.finish();
+    origins_.make_labels(soup_.triangle_tags, "triangle", soup_.passed_over);
+    origins_.make_labels(soup_.tetrahedron_tags, "tetrahedron", soup_.passed_over);
     drop_empty_tags(soup_);
     return std::move(soup_);
   }
 
 private:
+  bool is_4() const { return version_ == Version::v40 || version_ == Version::v41; }
+
+  /// False for a section that is not known.
+  bool read_section(const std::string& section) {
+    if (section == "$MeshFormat") {
+      read_format();
+    } else if (section == "$NOD" || section == "$ELM") {
+      has_format_ = true;
+      version_ = Version::v1;
+      section == "$NOD" ? read_nodes(false) : read_elements();
+    } else if (section == "$Comments") {
+      return false;
+    } else if (!has_format_) {
+      in_.fail(section, "$MeshFormat");
+    } else if (section == "$Entities" && is_4()) {
+      read_entities(false);
+    } else if (section == "$PartitionedEntities" && is_4()) {
+      read_entities(true);
+    } else if (section == "$Nodes" || section == "$ParametricNodes") {
+      read_nodes(section == "$ParametricNodes");
+    } else if (section == "$Elements") {
+      read_elements();
+    } else {
+      return false;
+    }
+    return true;
+  }
+
   void read_format() {
-    constexpr std::string_view header = "$MeshFormat";
-    if (in_.peek() != header) in_.fail(in_.peek(), header);
-    in_.token(header);
     const std::string_view version = in_.token("a version");
-    is_version_2_ = version == "2" || version.substr(0, 2) == "2.";
-    if (!is_version_2_ && version != "4.1") in_.fail(version, "version 2.x or 4.1");
+    const auto begins = [version](std::string_view head) { return version.starts_with(head); };
+    if (version == "2" || begins("2.")) {
+      version_ = Version::v2;
+    } else if (begins("4.1")) {
+      version_ = Version::v41;
+    } else if (version == "4" || begins("4.0")) {
+      version_ = Version::v40;
+    } else {
+      in_.fail(version, "version 2.x, 4.0 or 4.1");
+    }
+    has_format_ = true;
     const bool binary = in_.integer("0 for text or 1 for binary", 0, 1) == 1;
     in_.integer("8 bytes in a real number", 8, 8);
     in_.rest_of_line();
-    if (binary) {
-      const std::string_view one = in_.bytes(sizeof(std::int32_t), "the integer 1 in 4 bytes");
-      const bool swapped = load<std::int32_t>(one.data(), false) != 1;
-      if (load<std::int32_t>(one.data(), swapped) != 1) in_.fail(one, "the integer 1 in 4 bytes");
-      numbers_.set_binary(swapped);
-    }
-    end_section(header);
+    if (!binary) return;
+    const std::string_view one = in_.bytes(sizeof(std::int32_t), "the integer 1 in 4 bytes");
+    const bool swapped = load<std::int32_t>(one.data(), false) != 1;
+    if (load<std::int32_t>(one.data(), swapped) != 1) in_.fail(one, "the integer 1 in 4 bytes");
+    numbers_.set_binary(swapped);
   }
 
-  void end_section(std::string_view section) {
-    const std::string end = "$End" + std::string(section.substr(1));
+  void end_section(const std::string& section) {
+    const std::string end =
+        section == "$NOD" || section == "$ELM" ? "$END" + section.substr(1) : "$End" + section.substr(1);
     const std::string_view found = in_.token(end);
     if (found != end) in_.fail(found, end);
   }
 
-  /// Points, curves, surfaces and volumes; a point has one place and bounds nothing, others have a box.
-  void read_entities() {
+  std::int64_t count_8(std::string_view expected) { return numbers_.count<std::uint64_t>(expected); }
+  int any_4(std::string_view expected) { return numbers_.any<std::int32_t>(expected); }
+
+  /// Points, curves, surfaces and volumes; parts that a partition made name what they are parts of.
+  void read_entities(bool partitioned) {
     in_.rest_of_line();
+    if (partitioned) {
+      count_8("the number of partitions");
+      for (std::int64_t ghosts = count_8("the number of ghost entities"); ghosts > 0; --ghosts)
+        for (int k = 0; k < 2; ++k) any_4("a ghost entity");
+    }
     std::array<std::int64_t, 4> counts{};
-    for (std::int64_t& count : counts) count = numbers_.count<std::uint64_t>("the number of entities");
+    for (std::int64_t& count : counts) count = count_8("the number of entities");
     for (int dimension = 0; dimension < 4; ++dimension)
-      for (std::int64_t i = 0; i < counts[static_cast<std::size_t>(dimension)]; ++i) {
-        const int tag = numbers_.any<std::int32_t>("the tag of an entity");
-        for (int k = 0; k < (dimension == 0 ? 3 : 6); ++k) numbers_.real("a coordinate");
-        const std::int64_t groups = numbers_.count<std::uint64_t>("the number of physical groups");
-        for (std::int64_t k = 0; k < groups; ++k) {
-          const int group = numbers_.any<std::int32_t>("the tag of a physical group");
-          if (dimension == 2 && k == 0) group_of_surface_[tag] = group;
-        }
-        if (dimension == 0) continue;
-        const std::int64_t bounding = numbers_.count<std::uint64_t>("the number of bounding entities");
-        for (std::int64_t k = 0; k < bounding; ++k) numbers_.any<std::int32_t>("the tag of an entity");
-      }
+      for (std::int64_t i = 0; i < counts[static_cast<std::size_t>(dimension)]; ++i)
+        read_entity(dimension, partitioned);
   }
 
-  void read_nodes() {
+  /// A point has one place and bounds nothing, others have a box; in version 4.0 points have one, too.
+  void read_entity(int dimension, bool partitioned) {
+    const EntityName name{dimension, any_4("the tag of an entity")};
+    Entity entity;
+    entity.whole = name;
+    if (partitioned) {
+      const int parent_dimension = any_4("the dimension of an entity");
+      const int parent = any_4("the tag of an entity");
+      if (parent_dimension == dimension) entity.whole = {dimension, parent};
+      for (std::int64_t k = count_8("the number of partitions"); k > 0; --k) any_4("the tag of a partition");
+    }
+    const bool is_place = dimension == 0 && version_ == Version::v41;
+    for (int k = 0; k < (is_place ? 3 : 6); ++k) numbers_.real("a coordinate");
+    entity.groups = static_cast<int>(count_8("the number of physical groups"));
+    for (int k = 0; k < entity.groups; ++k) {
+      // Its sign says how the entity is oriented in the group.
+      const int group = std::abs(numbers_.any_but_least("the tag of a physical group"));
+      if (k == 0) entity.group = group;
+    }
+    if (dimension > 0)
+      for (std::int64_t k = count_8("the number of bounding entities"); k > 0; --k)
+        any_4("the tag of an entity");
+    entities_[name] = entity;
+  }
+
+  void read_nodes(bool parametric) {
     if (!soup_.points.empty()) in_.fail("$Nodes", "only one such section");
-    if (is_version_2_) {
-      read_nodes_2();
+    if (is_4()) {
+      read_nodes_4();
     } else {
-      read_nodes_41();
+      read_nodes_2(parametric);
     }
     index_ = TagIndex(soup_.point_labels.numbers);
     if (const auto tag = index_.repeated())
       in_.fail("$EndNodes", "nodes of different tags, but several have the tag " + std::to_string(*tag));
   }
 
-  void read_nodes_2() {
+  void read_nodes_2(bool parametric) {
     const std::int64_t count = in_.integer("the number of nodes", 0, most_elements);
     in_.rest_of_line();
     soup_.points.reserve(in_.believable(count, shortest_line));
@@ -166,176 +216,174 @@ private:
       const int tag = numbers_.tag<std::int32_t>("the tag of a node");
       note(soup_.point_labels, tag, in_.line());
       soup_.points.push_back(numbers_.point());
+      if (!parametric) continue;
+      const int dimension = any_4("the dimension of an entity");
+      any_4("the tag of an entity");
+      pass_over_parameters(dimension == 1 || dimension == 2 ? dimension : 0);
     }
   }
 
-  void read_nodes_41() {
+  /// In text, whatever stands on the line.
+  void pass_over_parameters(std::int64_t count) {
+    if (numbers_.is_binary()) {
+      for (; count > 0; --count) numbers_.real("a parameter");
+    } else {
+      while (in_.line_goes_on()) in_.token("");
+    }
+  }
+
+  void read_nodes_4() {
     in_.rest_of_line();
-    const std::int64_t blocks = numbers_.count<std::uint64_t>("the number of blocks");
-    const std::int64_t count = numbers_.count<std::uint64_t>("the number of nodes");
-    for (int i = 0; i < 2; ++i) numbers_.count<std::uint64_t>("the tag of a node");
+    const std::int64_t blocks = count_8("the number of blocks");
+    const std::int64_t count = count_8("the number of nodes");
+    for (int i = 0; version_ == Version::v41 && i < 2; ++i) count_8("the tag of a node");
     soup_.points.reserve(in_.believable(count, shortest_line));
     for (std::int64_t b = 0; b < blocks; ++b) read_node_block();
     if (static_cast<std::int64_t>(soup_.points.size()) != count)
       in_.fail(std::to_string(soup_.points.size()) + " nodes", std::to_string(count) + " as announced");
   }
 
-  void read_node_block() {
-    const std::int64_t dimension = numbers_.integer<std::int32_t>("the dimension of an entity", 0, 3);
-    numbers_.any<std::int32_t>("the tag of an entity");
-    const bool parametric = numbers_.integer<std::int32_t>("0 or 1 for parametric", 0, 1) == 1;
-    const std::int64_t count = numbers_.count<std::uint64_t>("the number of nodes in the block");
-    for (std::int64_t i = 0; i < count; ++i) {
-      const int tag = numbers_.tag<std::uint64_t>("the tag of a node");
-      note(soup_.point_labels, tag, in_.line());
+  /// Dimension and tag; version 4.0 has them the other way round.
+  EntityName read_entity_name() {
+    if (version_ == Version::v40) {
+      const int tag = any_4("the tag of an entity");
+      return {static_cast<int>(numbers_.integer<std::int32_t>("the dimension of an entity", 0, 3)), tag};
     }
+    const auto dimension =
+        static_cast<int>(numbers_.integer<std::int32_t>("the dimension of an entity", 0, 3));
+    return {dimension, any_4("the tag of an entity")};
+  }
+
+  void read_node_block() {
+    const int dimension = read_entity_name().first;
+    const bool parametric = numbers_.integer<std::int32_t>("0 or 1 for parametric", 0, 1) == 1;
+    const std::int64_t count = count_8("the number of nodes in the block");
+    if (version_ == Version::v41)
+      for (std::int64_t i = 0; i < count; ++i) {
+        const int tag = numbers_.tag<std::uint64_t>("the tag of a node");
+        note(soup_.point_labels, tag, in_.line());
+      }
     for (std::int64_t i = 0; i < count; ++i) {
+      if (version_ == Version::v40) {
+        const int tag = numbers_.tag<std::int32_t>("the tag of a node");
+        note(soup_.point_labels, tag, in_.line());
+      }
       soup_.points.push_back(numbers_.point());
-      for (std::int64_t p = 0; parametric && p < dimension; ++p) numbers_.real("a parameter");
+      if (parametric) pass_over_parameters(dimension);
     }
   }
 
   void read_elements() {
-    if (is_version_2_) {
-      read_elements_2();
+    if (is_4()) {
+      read_elements_4();
     } else {
-      read_elements_41();
+      read_elements_2();
     }
   }
 
   /// Text has elements one by one with their type, binary has them in blocks of one type and number of tags.
+  /// Version 1 has always two tags, and then the number of nodes.
   void read_elements_2() {
     const std::int64_t count = in_.integer("the number of elements", 0, most_elements);
     in_.rest_of_line();
     for (std::int64_t done = 0; done < count;) {
       const bool text = !numbers_.is_binary();
       int number = text ? numbers_.tag<std::int32_t>("the tag of an element") : 0;
-      const int type = read_type();
+      const GmshType type = read_type();
       const std::int64_t in_block =
           text ? 1 : numbers_.integer<std::int32_t>("the elements in the block", 1, count - done);
-      const std::int64_t tags = numbers_.integer<std::int32_t>("the number of tags", 0, most_elements);
+      const std::int64_t tags = version_ == Version::v1
+                                    ? 2
+                                    : numbers_.integer<std::int32_t>("the number of tags", 0, most_elements);
       for (std::int64_t i = 0; i < in_block; ++i, ++done) {
         if (!text) number = numbers_.tag<std::int32_t>("the tag of an element");
-        int patch = 0; // the physical group, then the surface
+        Origin origin{0, 0};
         for (std::int64_t k = 0; k < tags; ++k) {
-          const int tag = numbers_.any<std::int32_t>("a tag");
-          if (k < 2 && patch == 0) patch = tag;
+          const int tag = numbers_.any_but_least("a tag");
+          if (k == 0) origin.group = std::abs(tag);
+          if (k == 1) origin.entity = tag;
+          if (k == 2) soup_.passed_over.note("partition of an element");
         }
-        read_element<std::int32_t>(type, number, patch);
+        if (version_ == Version::v1) in_.integer("the number of nodes", type.nodes, type.nodes);
+        read_element<std::int32_t>(type, number, origins_.number(origin));
       }
     }
   }
 
-  void read_elements_41() {
+  void read_elements_4() {
     in_.rest_of_line();
-    const std::int64_t blocks = numbers_.count<std::uint64_t>("the number of blocks");
-    numbers_.count<std::uint64_t>("the number of elements");
-    for (int i = 0; i < 2; ++i) numbers_.count<std::uint64_t>("the tag of an element");
+    const std::int64_t blocks = count_8("the number of blocks");
+    count_8("the number of elements");
+    for (int i = 0; version_ == Version::v41 && i < 2; ++i) count_8("the tag of an element");
     for (std::int64_t b = 0; b < blocks; ++b) {
-      numbers_.integer<std::int32_t>("the dimension of an entity", 0, 3);
-      const int entity = numbers_.any<std::int32_t>("the tag of an entity");
-      const auto group = group_of_surface_.find(entity);
-      const int patch = group == group_of_surface_.end() ? entity : group->second;
-      const int type = read_type();
-      const std::int64_t count = numbers_.count<std::uint64_t>("the number of elements in the block");
-      if (type == tetrahedron_type)
+      const EntityName name = read_entity_name();
+      const GmshType type = read_type();
+      const std::int64_t count = count_8("the number of elements in the block");
+      const int origin = origin_of(name, type, count);
+      if (type.type == gmsh_tetrahedron)
         soup_.tetrahedra.reserve(soup_.tetrahedra.size() + in_.believable(count, shortest_line));
-      for (std::int64_t i = 0; i < count; ++i)
-        read_element<std::uint64_t>(type, numbers_.tag<std::uint64_t>("the tag of an element"), patch);
+      for (std::int64_t i = 0; i < count; ++i) {
+        if (version_ == Version::v41)
+          read_element<std::uint64_t>(type, numbers_.tag<std::uint64_t>("the tag of an element"), origin);
+        else
+          read_element<std::int32_t>(type, numbers_.tag<std::int32_t>("the tag of an element"), origin);
+      }
     }
   }
 
-  int read_type() {
-    const int type = static_cast<int>(
-        numbers_.integer<std::int32_t>("an element type, 1 to 31", 1, element_types.size() - 1));
-    const ElementType& about = element_types[static_cast<std::size_t>(type)];
-    const std::string nodes = std::to_string(about.nodes);
-    if (about.dimension == 3 && type != tetrahedron_type)
-      in_.fail("volume elements of " + nodes + " nodes", "tetrahedra of 4 nodes alone");
-    if (about.dimension == 2 && type != triangle_type && !warned_) {
-      warned_ = true;
-      soup_.warnings.emplace_back("surface elements other than triangles of 3 nodes were passed over");
+  int origin_of(const EntityName& name, const GmshType& type, std::int64_t count) {
+    const auto known = entities_.find(name);
+    if (known == entities_.end()) return origins_.number({0, name.second});
+    Entity entity = known->second;
+    if (entity.group == 0)
+      if (const auto whole = entities_.find(entity.whole); whole != entities_.end()) {
+        entity.group = whole->second.group;
+        entity.groups = whole->second.groups;
+      }
+    if (dimension_of(type.shape) >= 2) {
+      if (entity.groups > 1)
+        soup_.passed_over.note("further physical group of an element", count * (entity.groups - 1));
+      if (entity.whole != name) soup_.passed_over.note("partition of an element", count);
     }
-    return type;
+    return origins_.number({entity.group, entity.whole.second});
+  }
+
+  GmshType read_type() {
+    const int type = static_cast<int>(numbers_.integer<std::int32_t>("an element type", 1, most_elements));
+    const auto found = gmsh_type(type);
+    if (!found) in_.fail(std::to_string(type), "an element type of Gmsh up to 31");
+    return *found;
   }
 
   template <class Stored>
-  void read_element(int type, int number, int patch) {
+  void read_element(const GmshType& type, int number, int origin) {
     const int line = in_.line();
-    if (type == triangle_type) {
-      soup_.triangles.push_back(read_node_tags<Stored, 3>());
-      soup_.triangle_tags.push_back(patch);
-      note(soup_.triangle_labels, number, line);
-    } else if (type == tetrahedron_type) {
-      soup_.tetrahedra.push_back(read_node_tags<Stored, 4>());
-      note(soup_.tetrahedron_labels, number, line);
-    } else {
-      for (int i = 0; i < element_types[static_cast<std::size_t>(type)].nodes; ++i)
-        numbers_.tag<Stored>("the tag of a node");
-    }
-  }
-
-  template <class Stored, std::size_t corners>
-  std::array<int, corners> read_node_tags() {
-    std::array<int, corners> out{};
-    for (int& corner : out) {
+    nodes_.clear();
+    for (int i = 0; i < type.nodes; ++i) {
       const int tag = numbers_.tag<Stored>("the tag of a node");
       const std::optional<int> index = index_.find(tag);
       if (!index) in_.fail(std::to_string(tag), "the tag of a node");
-      corner = *index;
+      nodes_.push_back(*index);
     }
-    return out;
+    cells_.add(type.shape, nodes_, {number, line, origin});
   }
 
   MeshCursor in_;
   GmshNumbers numbers_;
   Soup soup_;
+  Cells cells_{soup_};
   TagIndex index_{Runs()};
-  std::map<int, int> group_of_surface_;
-  bool is_version_2_ = false;
-  bool warned_ = false;
+  std::map<EntityName, Entity> entities_;
+  Origins origins_;
+  std::vector<int> nodes_;
+  Version version_ = Version::v2;
+  bool has_format_ = false;
 };
-
-template <class Elements>
-void append_block(std::string& out, int dimension, int type, const Elements& elements, int first_tag) {
-  if (elements.empty()) return;
-  out +=
-      std::to_string(dimension) + " 1 " + std::to_string(type) + " " + std::to_string(elements.size()) + "\n";
-  for (const auto& corners : elements) {
-    append_number(out, first_tag++);
-    out += ' ';
-    append_line(out, corners, "\n", 1);
-  }
-}
-
-/// The first line of a section of so many elements in so many blocks.
-std::string section_head(std::size_t blocks, std::size_t count) {
-  const std::string number = std::to_string(count);
-  return std::to_string(blocks) + " " + number + (count == 0 ? " 0 " : " 1 ") + number + "\n";
-}
 
 } // namespace
 
 Soup read_gmsh(std::string_view text, const std::string& source) {
   return GmshReader(text, source).read();
-}
-
-std::string write_gmsh(const Soup& soup) {
-  std::string out = "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$Nodes\n";
-  const std::size_t points = soup.points.size();
-  out += section_head(1, points) + "3 1 0 " + std::to_string(points) + "\n";
-  for (std::size_t i = 1; i <= points; ++i) {
-    append_number(out, i);
-    out += '\n';
-  }
-  for (const auto& p : soup.points) append_line(out, p, "\n");
-  const std::size_t triangles = soup.triangles.size();
-  const std::size_t tetrahedra = soup.tetrahedra.size();
-  out += "$EndNodes\n$Elements\n" +
-         section_head((triangles > 0 ? 1U : 0U) + (tetrahedra > 0 ? 1U : 0U), triangles + tetrahedra);
-  append_block(out, 2, triangle_type, soup.triangles, 1);
-  append_block(out, 3, tetrahedron_type, soup.tetrahedra, static_cast<int>(triangles) + 1);
-  return out + "$EndElements\n";
 }
 
 } // namespace tetrarch::format

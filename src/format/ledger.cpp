@@ -19,10 +19,10 @@ void Ledger::add(const Ledger& other) {
   for (const Entry& entry : other.entries_) note(entry.what, entry.count);
 }
 
-std::string Ledger::sentence() const {
+std::string Ledger::sentence(std::string_view beginning) const {
   std::string text;
   for (const Entry& entry : entries_) {
-    text += text.empty() ? "passed over: " : ", ";
+    text += text.empty() ? std::string(beginning) + ": " : ", ";
     text += entry.what;
     if (entry.count != 1) text += " (" + std::to_string(entry.count) + ")";
   }

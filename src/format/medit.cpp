@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "tetrarch/format/medit.hpp"
 
+#include "medit_sections.hpp"
 #include "mesh_cursor.hpp"
 #include "mesh_text.hpp"
 
@@ -9,99 +10,162 @@
 namespace tetrarch::format {
 namespace {
 
-/// "0 0 0 0" and an end of line are as short as a vertex can be.
-constexpr std::size_t shortest_line = 8;
+/// "0 0 0" and an end of line are as short as a vertex can be.
+constexpr std::size_t shortest_line = 6;
+
+constexpr std::string_view header = "MeshVersionFormatted";
 
 bool is_word(std::string_view token) {
   const char c = token.empty() ? '\0' : token.front();
   return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z');
 }
 
-class MeditReader {
+/// Numbers as text.
+class TextNumbers {
 public:
-  MeditReader(std::string_view text, const std::string& source) : in_(text, source, '#') {
-    soup_.source = source;
-    soup_.first_number = 1;
+  explicit TextNumbers(MeshCursor& in) : in_(in) {}
+  std::int64_t integer(std::string_view expected, std::int64_t least, std::int64_t greatest) {
+    return in_.integer(expected, least, greatest);
   }
-
-  Soup read() && {
-    if (in_.token(header) != header) in_.fail("", header);
-    in_.integer("a version", 1, 4);
-    while (!in_.at_end()) {
-      const std::string_view keyword = in_.token("a keyword");
-      if (!is_word(keyword)) in_.fail(keyword, "a keyword, like Tetrahedra");
-      if (keyword == "End") break;
-      read_section(keyword);
-    }
-    drop_empty_tags(soup_);
-    return std::move(soup_);
-  }
-
-  static constexpr std::string_view header = "MeshVersionFormatted";
+  double real(std::string_view expected) { return in_.number(expected); }
+  int reference() { return in_.reference("a reference"); }
+  std::size_t believable(std::int64_t announced) const { return in_.believable(announced, shortest_line); }
 
 private:
-  void read_section(std::string_view keyword) {
-    if (keyword == "Dimension") {
-      in_.integer("dimension 3", 3, 3);
-    } else if (keyword == "Vertices") {
-      read_vertices();
-    } else if (keyword == "Triangles") {
-      read_elements(soup_.triangles, soup_.triangle_labels, "triangles", &soup_.triangle_tags);
-    } else if (keyword == "Tetrahedra") {
-      read_elements(soup_.tetrahedra, soup_.tetrahedron_labels, "tetrahedra", nullptr);
-    } else {
-      pass_over(keyword);
-    }
-  }
-
-  std::int64_t read_count(std::size_t so_far, const std::string& what) {
-    if (so_far > 0) in_.fail(what, "only one list of " + what);
-    return in_.integer("the number of " + what, 0, most_elements);
-  }
-
-  void read_vertices() {
-    const std::int64_t count = read_count(soup_.points.size(), "vertices");
-    soup_.points.reserve(in_.believable(count, shortest_line));
-    for (std::int64_t i = 1; i <= count; ++i) {
-      soup_.points.push_back(in_.point());
-      note(soup_.point_labels, static_cast<int>(i), in_.line());
-      in_.number("a reference");
-    }
-  }
-
-  /// References are written to `tags`, if there is such a list.
-  template <std::size_t corners>
-  void read_elements(std::vector<std::array<int, corners>>& elements, Labels& labels, const std::string& what,
-                     std::vector<int>* tags) {
-    const std::int64_t count = read_count(elements.size(), what);
-    elements.reserve(in_.believable(count, shortest_line));
-    for (std::int64_t i = 1; i <= count; ++i) {
-      elements.push_back(read_corners<corners>(in_, soup_.first_number));
-      note(labels, static_cast<int>(i), in_.line());
-      const std::int64_t reference =
-          in_.integer("a reference", std::numeric_limits<int>::min(), std::numeric_limits<int>::max());
-      if (tags != nullptr) tags->push_back(static_cast<int>(reference));
-    }
-  }
-
-  void pass_over(std::string_view keyword) {
-    const bool empty = in_.peek() == "0";
-    const bool is_volume = keyword == "Hexahedra" || keyword == "Prisms" || keyword == "Pyramids" ||
-                           keyword == "TetrahedraP2" || keyword == "Hexaedra";
-    if (is_volume && !empty) in_.fail(keyword, "tetrahedra alone");
-    if (keyword == "Quadrilaterals" && !empty)
-      soup_.warnings.emplace_back("the quadrilaterals were passed over");
-    while (!in_.at_end() && !is_word(in_.peek())) in_.token("");
-  }
-
-  MeshCursor in_;
-  Soup soup_;
+  MeshCursor& in_;
 };
+
+Soup read_text(std::string_view text, const std::string& source) {
+  MeshCursor in(text, source, '#');
+  TextNumbers numbers(in);
+  MeditSections<TextNumbers> sections(in, numbers);
+  if (in.token(header) != header) in.fail("", header);
+  in.integer("a version", 1, 4);
+  while (!in.at_end()) {
+    const std::string keyword(in.token("a keyword"));
+    if (!is_word(keyword)) in.fail(keyword, "a keyword, like Tetrahedra");
+    if (keyword == "End") break;
+    if (sections.read(keyword)) continue;
+    if (const auto count = lenient_integer(in.peek()); count && *count >= 0)
+      sections.pass_over(keyword, *count);
+    while (!in.at_end() && !is_word(in.peek())) in.token("");
+  }
+  return std::move(sections).soup();
+}
+
+/// Numbers as bytes, in either order; the version says how many bytes they take.
+class BinaryNumbers {
+public:
+  explicit BinaryNumbers(MeshCursor& in) : in_(in) {
+    constexpr std::string_view expected = "the integer 1 in 4 bytes";
+    const std::string_view one = in.bytes(sizeof(std::int32_t), expected);
+    swapped_ = load<std::int32_t>(one.data(), false) != 1;
+    if (load<std::int32_t>(one.data(), swapped_) != 1) in.fail("another number", expected);
+    version_ = static_cast<int>(raw<std::int32_t>("a version"));
+    if (version_ < 1 || version_ > 4) in.fail(std::to_string(version_), "a version, 1 to 4");
+  }
+
+  /// A keyword's code, which has 4 bytes in all versions.
+  int code() { return raw<std::int32_t>("a keyword"); }
+  std::uint64_t position() {
+    return version_ >= 3 ? static_cast<std::uint64_t>(raw<std::int64_t>("the place of the next keyword"))
+                         : raw<std::uint32_t>("the place of the next keyword");
+  }
+  std::int64_t integer(std::string_view expected, std::int64_t least, std::int64_t greatest) {
+    const std::int64_t value = version_ >= 4 ? raw<std::int64_t>(expected) : raw<std::int32_t>(expected);
+    if (value < least || value > greatest) in_.fail(std::to_string(value), expected);
+    return value;
+  }
+  double real(std::string_view expected) {
+    return version_ >= 2 ? raw<double>(expected) : static_cast<double>(raw<float>(expected));
+  }
+  int reference() {
+    const std::int64_t value =
+        version_ >= 4 ? raw<std::int64_t>("a reference") : raw<std::int32_t>("a reference");
+    const bool fits = value >= std::numeric_limits<int>::min() && value <= std::numeric_limits<int>::max();
+    return fits ? static_cast<int>(value) : 0;
+  }
+  std::size_t believable(std::int64_t announced) const { return in_.believable(announced, 4); }
+
+private:
+  template <class T>
+  T raw(std::string_view expected) {
+    return load<T>(in_.bytes(sizeof(T), expected).data(), swapped_);
+  }
+
+  MeshCursor& in_;
+  bool swapped_ = false;
+  int version_ = 2;
+};
+
+/// The numbers that the binary form gives keywords, after libMeshb's table.
+struct Code {
+  int code;
+  std::string_view keyword;
+};
+constexpr std::array<Code, 23> codes{{{3, "Dimension"},
+                                      {4, "Vertices"},
+                                      {5, "Edges"},
+                                      {6, "Triangles"},
+                                      {7, "Quadrilaterals"},
+                                      {8, "Tetrahedra"},
+                                      {9, "Prisms"},
+                                      {10, "Hexahedra"},
+                                      {13, "Corners"},
+                                      {14, "Ridges"},
+                                      {15, "RequiredVertices"},
+                                      {16, "RequiredEdges"},
+                                      {17, "RequiredTriangles"},
+                                      {24, "TrianglesP2"},
+                                      {25, "EdgesP2"},
+                                      {27, "QuadrilateralsQ2"},
+                                      {30, "TetrahedraP2"},
+                                      {33, "HexahedraQ2"},
+                                      {49, "Pyramids"},
+                                      {54, "End"},
+                                      {60, "Normals"},
+                                      {86, "PrismsP2"},
+                                      {87, "PyramidsP2"}}};
+
+std::string keyword_of(int code) {
+  for (const Code& row : codes)
+    if (row.code == code) return std::string(row.keyword);
+  return "keyword " + std::to_string(code);
+}
+
+Soup read_binary(std::string_view text, const std::string& source) {
+  MeshCursor in(text, source);
+  BinaryNumbers numbers(in);
+  MeditSections<BinaryNumbers> sections(in, numbers);
+  while (in.bytes_left() > 0) {
+    const std::string keyword = keyword_of(numbers.code());
+    if (keyword == "End") break;
+    const std::uint64_t next = numbers.position();
+    const std::uint64_t here = text.size() - in.bytes_left();
+    if (next != 0 && (next < here || next > text.size()))
+      in.fail(std::to_string(next), "a place of the next keyword in the file and after this one");
+    if (!sections.read(keyword)) sections.pass_over(keyword, 1);
+    const std::uint64_t done = text.size() - in.bytes_left();
+    if (next == 0) break;
+    if (done > next) in.fail("data of " + keyword + " that are too long", "the next keyword before them");
+    in.bytes(next - done, "the next keyword");
+  }
+  return std::move(sections).soup();
+}
 
 } // namespace
 
+bool is_binary_medit(std::string_view text) {
+  if (text.size() < 8) return false;
+  for (const bool swapped : {false, true}) {
+    const auto version = load<std::int32_t>(text.data() + 4, swapped);
+    if (load<std::int32_t>(text.data(), swapped) == 1 && version >= 1 && version <= 4) return true;
+  }
+  return false;
+}
+
 Soup read_medit(std::string_view text, const std::string& source) {
-  return MeditReader(text, source).read();
+  return is_binary_medit(text) ? read_binary(text, source) : read_text(text, source);
 }
 
 std::string write_medit(const Soup& soup) {
@@ -115,7 +179,7 @@ std::string write_medit(const Soup& soup) {
       append_line(out, elements[i], " " + std::to_string(tags.empty() ? 0 : tags[i]) + "\n", 1);
   };
   section("Triangles\n", soup.triangles, soup.triangle_tags);
-  section("Tetrahedra\n", soup.tetrahedra, {});
+  section("Tetrahedra\n", soup.tetrahedra, soup.tetrahedron_tags);
   return out + "End\n";
 }
 

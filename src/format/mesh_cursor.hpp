@@ -5,6 +5,8 @@
 ///
 /// `TextCursor` counts lines when asked, from the beginning, which is right for a reader that asks once.
 /// A soup asks at every element, so this one counts as it goes; it also skips comments and takes raw bytes.
+/// Lines end by a line feed, a carriage return, or both. Numbers may be written as C's and Fortran's programs
+/// print them: "+1.0", "1.0D+00", "1e-400" (which is 0), "1e400" (which is infinite), "1.#INF".
 
 #include "tetrarch/format/soup.hpp"
 #include "tetrarch/format/text.hpp"
@@ -13,6 +15,7 @@
 #include <cstdint>
 #include <cstring>
 #include <limits>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -28,6 +31,9 @@ public:
   MeshCursor(std::string_view text, std::string source, char comment = '\0')
       : text_(text), source_(std::move(source)), comment_(comment) {}
 
+  /// From here on a backslash at the end of a line joins the next line to it.
+  void join_lines_at_backslashes() { joins_lines_ = true; }
+
   /// Whether nothing but white space and comments is left; moves to what comes next.
   bool at_end() {
     skip_space();
@@ -40,9 +46,15 @@ public:
   std::int64_t integer(std::string_view expected, std::int64_t least, std::int64_t greatest);
   /// "inf" and "nan" are numbers here: a soup says what the file says.
   double number(std::string_view expected);
+  /// An integer that may be written as a real number, "3.0"; 0 for other numbers.
+  int reference(std::string_view expected);
   std::array<double, 3> point();
   /// What is left of the current line, trimmed, without its end, which is passed over.
   std::string_view rest_of_line();
+  /// Whether another token stands on the current line; moves to it.
+  bool line_goes_on();
+  /// The next token in capitals, which stays where it is: for formats whose writers disagree.
+  std::string peek_capitals();
   /// Whether the line after the current one begins with `word`. Nothing moves.
   bool next_line_begins_with(std::string_view word) const;
   /// The next `size` bytes, in which lines mean nothing: from here on `line` is 0. Throws InputError if there
@@ -67,6 +79,10 @@ public:
 
 private:
   void skip_space();
+  /// Where the line ends that `from` stands in: its last character, or the end of the text.
+  std::size_t line_end(std::size_t from) const;
+  /// Where the line after that goes on, if a backslash at `at` joins it to this one; else `at`.
+  std::size_t joined(std::size_t at) const;
 
   std::string_view text_;
   std::string source_;
@@ -74,7 +90,22 @@ private:
   std::size_t at_ = 0;
   int line_ = 1;
   bool binary_ = false;
+  bool joins_lines_ = false;
 };
+
+/// As MeshCursor reads them.
+std::optional<std::int64_t> lenient_integer(std::string_view token);
+std::optional<double> lenient_double(std::string_view token);
+
+/// `text` without UTF-8's byte order mark, which some editors and programs begin files with.
+inline std::string_view without_byte_order_mark(std::string_view text) {
+  constexpr std::string_view mark = "\xEF\xBB\xBF";
+  if (text.starts_with(mark)) text.remove_prefix(mark.size());
+  return text;
+}
+
+/// `text` with A to Z for a to z.
+std::string capitals(std::string_view text);
 
 /// The value whose bytes stand at `at`, in this machine's order or reversed.
 template <class T>

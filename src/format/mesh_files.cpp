@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "tetrarch/format/mesh_files.hpp"
 
+#include "mesh_cursor.hpp"
+
 #include "tetrarch/format/gmsh.hpp"
 #include "tetrarch/format/medit.hpp"
 #include "tetrarch/format/mesh_json.hpp"
@@ -11,6 +13,7 @@
 
 #include <algorithm>
 #include <array>
+#include <filesystem>
 
 namespace tetrarch::format {
 namespace {
@@ -26,12 +29,14 @@ struct Row {
   std::string_view name;
   std::string_view extension;
 };
-constexpr std::array<Row, 10> rows{{{MeshFormat::medit, "medit", ".mesh"},
+constexpr std::array<Row, 12> rows{{{MeshFormat::medit, "medit", ".mesh"},
+                                    {MeshFormat::medit, "medit", ".meshb"},
                                     {MeshFormat::gmsh, "gmsh", ".msh"},
                                     {MeshFormat::tetgen, "tetgen", ".node"},
                                     {MeshFormat::tetgen, "tetgen", ".ele"},
                                     {MeshFormat::vtk, "vtk", ".vtk"},
                                     {MeshFormat::vtu, "vtu", ".vtu"},
+                                    {MeshFormat::vtu, "vtu", ".vtp"},
                                     {MeshFormat::obj, "obj", ".obj"},
                                     {MeshFormat::off, "off", ".off"},
                                     {MeshFormat::stl, "stl", ".stl"},
@@ -41,14 +46,21 @@ bool is_one_of(std::string_view word, std::initializer_list<std::string_view> wo
   return std::find(words.begin(), words.end(), word) != words.end();
 }
 
+/// "OFF", letters that say what points have besides before it, a number glued to it.
+bool is_off_header(std::string_view word) {
+  const std::size_t at = word.find("OFF");
+  if (at == std::string_view::npos) return false;
+  return word.substr(0, at).find_first_not_of("STCNn4") == std::string_view::npos &&
+         word.substr(at + 3).find_first_not_of("0123456789") == std::string_view::npos;
+}
+
 std::optional<MeshFormat> recognise_word(std::string_view word) {
   if (word == "MeshVersionFormatted") return MeshFormat::medit;
   if (is_one_of(word, {"$MeshFormat", "$Comments", "$NOD"})) return MeshFormat::gmsh;
   if (word == "ply") return MeshFormat::ply;
-  if (word == "solid") return MeshFormat::stl;
-  if (is_one_of(word, {"OFF", "COFF", "NOFF", "STOFF", "CNOFF", "STCNOFF", "nOFF", "4OFF"}))
-    return MeshFormat::off;
-  if (is_one_of(word, {"v", "vn", "vt", "o", "g", "mtllib", "usemtl"})) return MeshFormat::obj;
+  if (capitals(word) == "SOLID") return MeshFormat::stl;
+  if (is_off_header(word)) return MeshFormat::off;
+  if (is_one_of(word, {"v", "vn", "vt", "o", "g", "s", "mtllib", "usemtl"})) return MeshFormat::obj;
   return std::nullopt;
 }
 
@@ -63,11 +75,12 @@ std::string_view first_word(std::string_view text) {
 struct TetgenPaths {
   std::string node;
   std::string ele;
+  std::string face;
 };
 TetgenPaths tetgen_paths(const std::string& path) {
   const std::string stem = path.substr(0, path.rfind('.'));
-  if (has_extension(path, ".ele")) return {stem + ".node", path};
-  return {path, stem + ".ele"};
+  if (has_extension(path, ".ele")) return {stem + ".node", path, stem + ".face"};
+  return {path, stem + ".ele", stem + ".face"};
 }
 
 } // namespace
@@ -87,6 +100,8 @@ std::optional<MeshFormat> mesh_format_for_extension(std::string_view path) {
 
 std::optional<MeshFormat> recognise_mesh(std::string_view text, const std::string& source) {
   if (is_binary_stl(text)) return MeshFormat::stl;
+  if (is_binary_medit(text)) return MeshFormat::medit;
+  text = without_byte_order_mark(text);
   constexpr std::string_view vtk_mark = "# vtk DataFile";
   if (text.substr(0, vtk_mark.size()) == vtk_mark) return MeshFormat::vtk;
   if (text.substr(0, xml_head).find("<VTKFile") != std::string_view::npos) return MeshFormat::vtu;
@@ -101,6 +116,7 @@ std::optional<MeshFormat> recognise_mesh(std::string_view text, const std::strin
 Soup read_soup(std::string_view text, const std::string& source) {
   const std::optional<MeshFormat> format = recognise_mesh(text, source);
   if (!format) throw InputError(Place{source, 1}, found_expected(first_word(text), any_mesh));
+  text = without_byte_order_mark(text);
   switch (*format) {
   case MeshFormat::medit:
     return read_medit(text, source);
@@ -131,7 +147,9 @@ Soup read_soup_file(const std::string& path) {
   const std::string source = source_name(path);
   if (mesh_format_for_extension(path) != MeshFormat::tetgen) return read_soup(read_file(path), source);
   const TetgenPaths paths = tetgen_paths(path);
-  return read_tetgen({read_file(paths.node), read_file(paths.ele), paths.node, paths.ele});
+  const bool has_face = std::filesystem::is_regular_file(paths.face);
+  return read_tetgen({read_file(paths.node), read_file(paths.ele), paths.node, paths.ele,
+                      has_face ? read_file(paths.face) : std::string(), paths.face});
 }
 
 namespace {
@@ -188,6 +206,24 @@ std::string write_soup(const Soup& soup, MeshFormat format) {
   throw PreconditionError("no such mesh format");
 }
 
+Ledger not_held(const Soup& soup, MeshFormat format) {
+  Ledger ledger;
+  const auto labels = [&ledger](const std::vector<int>& tags, const char* what, bool negative_ones_only) {
+    ledger.note(what, std::count_if(tags.begin(), tags.end(), [negative_ones_only](int tag) {
+                  return negative_ones_only ? tag < 0 : tag != 0;
+                }));
+  };
+  if (holds_surfaces_only(format)) {
+    ledger.note("tetrahedron", static_cast<std::int64_t>(soup.tetrahedra.size()));
+    labels(soup.triangle_tags, "label of a triangle", false);
+    labels(soup.tetrahedron_tags, "label of a tetrahedron", false);
+  } else if (format == MeshFormat::gmsh) {
+    labels(soup.triangle_tags, "negative label of a triangle", true);
+    labels(soup.tetrahedron_tags, "negative label of a tetrahedron", true);
+  }
+  return ledger;
+}
+
 void write_soup_file(const Soup& soup, const std::string& path) {
   const std::optional<MeshFormat> format = mesh_format_for_extension(path);
   if (!format)
@@ -197,6 +233,7 @@ void write_soup_file(const Soup& soup, const std::string& path) {
   const TetgenFiles files = write_tetgen(soup);
   write_file_atomically(paths.node, files.node);
   write_file_atomically(paths.ele, files.ele);
+  if (!files.face.empty()) write_file_atomically(paths.face, files.face);
 }
 
 } // namespace tetrarch::format

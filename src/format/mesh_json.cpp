@@ -90,16 +90,15 @@ std::vector<std::array<int, corners>> read_elements(Json& root, const char* key,
                    });
 }
 
-void read_tags(Json& root, Soup& soup) {
-  Json* const tags = member(root, "triangle_tags");
-  if (tags == nullptr) return;
-  soup.triangle_tags =
-      take_list(*tags, {JsonStep("triangle_tags")}, soup.triangles.size(), "entries, one per triangle",
-                [](const Json& value, const JsonPath& path) {
-                  constexpr int most = std::numeric_limits<int>::max();
-                  return read_integer(value, path, std::numeric_limits<int>::min(), most, "an integer");
-                });
-  drop_empty_tags(soup);
+/// The labels that a member lists, one for each element; none without it.
+std::vector<int> read_tags(Json& root, const char* key, std::size_t elements, const std::string& element) {
+  Json* const tags = member(root, key);
+  if (tags == nullptr) return {};
+  return take_list(*tags, {JsonStep(key)}, elements, "entries, one per " + element,
+                   [](const Json& value, const JsonPath& path) {
+                     constexpr int most = std::numeric_limits<int>::max();
+                     return read_integer(value, path, std::numeric_limits<int>::min(), most, "an integer");
+                   });
 }
 
 MeshDocument to_mesh(JsonTree tree) {
@@ -115,7 +114,10 @@ MeshDocument to_mesh(JsonTree tree) {
   mesh.soup.triangles = read_elements<3>(root, "triangles", vertices);
   mesh.soup.tetrahedra = read_elements<4>(root, "tetrahedra", vertices);
   mesh.hexahedra = read_elements<8>(root, "hexahedra", vertices);
-  read_tags(root, mesh.soup);
+  mesh.soup.triangle_tags = read_tags(root, "triangle_tags", mesh.soup.triangles.size(), "triangle");
+  mesh.soup.tetrahedron_tags =
+      read_tags(root, "tetrahedron_tags", mesh.soup.tetrahedra.size(), "tetrahedron");
+  drop_empty_tags(mesh.soup);
   if (Json* const fields = member(root, "fields"))
     mesh.fields =
         take_list(*fields, {JsonStep("fields")}, std::nullopt, "fields",
@@ -219,13 +221,16 @@ std::string write_mesh_json(const MeshDocument& mesh) {
   require_in_range(mesh.hexahedra, soup.points.size(), "hexahedra");
   if (!soup.triangle_tags.empty() && soup.triangle_tags.size() != soup.triangles.size())
     throw PreconditionError("tags of other triangles than there are");
+  if (!soup.tetrahedron_tags.empty() && soup.tetrahedron_tags.size() != soup.tetrahedra.size())
+    throw PreconditionError("tags of other tetrahedra than there are");
   std::vector<JsonMember> members = first_members(mesh_json_format_tag, mesh_json_format_version, mesh.name);
   const auto point_text = [](const std::array<double, 3>& point) { return row_text(point, double_text); };
   members.push_back({"vertices", list_text(soup.points, 1, point_text).value_or("[]")});
   members.push_back({"triangles", integer_rows_text(soup.triangles, 1)});
-  members.push_back(
-      {"triangle_tags", list_text(soup.triangle_tags, 1, [](int tag) { return std::to_string(tag); })});
+  const auto tag_text = [](int tag) { return std::to_string(tag); };
+  members.push_back({"triangle_tags", list_text(soup.triangle_tags, 1, tag_text)});
   members.push_back({"tetrahedra", integer_rows_text(soup.tetrahedra, 1)});
+  members.push_back({"tetrahedron_tags", list_text(soup.tetrahedron_tags, 1, tag_text)});
   members.push_back({"hexahedra", integer_rows_text(mesh.hexahedra, 1)});
   members.push_back({"fields", list_text(mesh.fields, 1, [&mesh](const MeshField& field) {
                        return field_text(field, mesh);

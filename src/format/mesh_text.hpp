@@ -19,8 +19,8 @@ inline void note(Labels& labels, int number, int line) {
 
 /// Tags that are 0 everywhere tell nothing.
 inline void drop_empty_tags(Soup& soup) {
-  std::vector<int>& tags = soup.triangle_tags;
-  if (std::all_of(tags.begin(), tags.end(), [](int tag) { return tag == 0; })) tags.clear();
+  for (std::vector<int>* tags : {&soup.triangle_tags, &soup.tetrahedron_tags})
+    if (std::all_of(tags->begin(), tags->end(), [](int tag) { return tag == 0; })) tags->clear();
 }
 
 /// The corners of an element, counted from `first_number` in the file and from 0 in what is returned.

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include "cells.hpp"
 #include "mesh_text.hpp"
 
 #include "tetrarch/format/surface_files.hpp"
@@ -8,49 +9,100 @@ namespace {
 
 /// "7", "7/1", "7//2" or "7/1/2": the point, counted from 0; -1 is the last of `points` so far.
 int corner_of(MeshCursor& in, std::string_view token, std::size_t points) {
-  const auto number = parse_integer(token.substr(0, token.find('/')));
+  const auto number = lenient_integer(token.substr(0, token.find('/')));
   if (!number || *number == 0 || *number > most_elements || *number < -most_elements)
     in.fail(token, "the number of a vertex");
   return static_cast<int>(*number > 0 ? *number - 1 : static_cast<std::int64_t>(points) + *number);
 }
 
-void read_face(MeshCursor& in, Soup& soup) {
-  const int line = in.line();
-  TextCursor corners(in.rest_of_line(), soup.source);
-  std::array<int, 3> triangle{};
-  for (int& corner : triangle) {
-    const std::string_view token = corners.peek();
-    if (token.empty()) throw InputError(Place{soup.source, line}, "the line ends, expected three vertices");
-    corner = corner_of(in, corners.token(""), soup.points.size());
+struct Statement {
+  std::string_view keyword;
+  std::string_view what;
+};
+/// What the ledger calls statements that make neither points nor faces.
+constexpr std::array<Statement, 14> others{{{"vt", "texture coordinate"},
+                                            {"vn", "normal"},
+                                            {"vp", "parameter point"},
+                                            {"l", "line element"},
+                                            {"p", "point element"},
+                                            {"g", "name of a group"},
+                                            {"o", "name of an object"},
+                                            {"usemtl", "use of a material"},
+                                            {"mtllib", "library of materials"},
+                                            {"curv", "free-form curve"},
+                                            {"curv2", "free-form curve"},
+                                            {"surf", "free-form surface"},
+                                            {"s", ""},
+                                            {"end", ""}}};
+
+class ObjReader {
+public:
+  ObjReader(std::string_view text, const std::string& source) : in_(text, source, '#') {
+    soup_.source = source;
+    soup_.first_number = 1;
+    in_.join_lines_at_backslashes();
   }
-  if (!corners.at_end() && corners.next_char() != '#')
-    throw InputError(Place{soup.source, line}, found_expected(corners.peek(), "a face of three vertices"));
-  soup.triangles.push_back(triangle);
-  note(soup.triangle_labels, static_cast<int>(soup.triangles.size()), line);
-}
+
+  Soup read() && {
+    while (!in_.at_end()) {
+      const std::string_view keyword = in_.token("a keyword");
+      if (keyword == "v") {
+        read_point();
+      } else if (keyword == "f" || keyword == "fo") {
+        read_face();
+      } else if ((keyword.front() >= 'A' && keyword.front() <= 'Z') ||
+                 (keyword.front() >= 'a' && keyword.front() <= 'z')) {
+        pass_over(keyword);
+      } else {
+        in_.fail(keyword, "a keyword, like v or f");
+      }
+    }
+    cells_.finish();
+    return std::move(soup_);
+  }
+
+private:
+  void read_point() {
+    soup_.points.push_back(in_.point());
+    note(soup_.point_labels, static_cast<int>(soup_.points.size()), in_.line());
+    int more = 0;
+    for (; in_.line_goes_on(); ++more) in_.token("");
+    if (more >= 3) soup_.passed_over.note("color of a vertex");
+  }
+
+  void read_face() {
+    const int line = in_.line();
+    corners_.clear();
+    while (in_.line_goes_on()) {
+      const std::string_view token = in_.token("");
+      corners_.push_back(corner_of(in_, token, soup_.points.size()));
+    }
+    if (corners_.size() < 3)
+      throw InputError(Place{soup_.source, line}, "the line ends, expected three vertices or more");
+    cells_.add_polygon(corners_, {++faces_, line, 0});
+  }
+
+  void pass_over(std::string_view keyword) {
+    in_.rest_of_line();
+    for (const Statement& other : others)
+      if (other.keyword == keyword) {
+        if (!other.what.empty()) soup_.passed_over.note(other.what);
+        return;
+      }
+    soup_.passed_over.note("statement " + std::string(keyword));
+  }
+
+  MeshCursor in_;
+  Soup soup_;
+  Cells cells_{soup_};
+  std::vector<int> corners_;
+  int faces_ = 0;
+};
 
 } // namespace
 
 Soup read_obj(std::string_view text, const std::string& source) {
-  Soup soup;
-  soup.source = source;
-  soup.first_number = 1;
-  MeshCursor in(text, source, '#');
-  while (!in.at_end()) {
-    const std::string_view keyword = in.token("a keyword");
-    if (keyword == "v") {
-      soup.points.push_back(in.point());
-      note(soup.point_labels, static_cast<int>(soup.points.size()), in.line());
-      in.rest_of_line();
-    } else if (keyword == "f") {
-      read_face(in, soup);
-    } else if (keyword.front() >= 'A' && keyword.front() <= 'z') {
-      in.rest_of_line();
-    } else {
-      in.fail(keyword, "a keyword, like v or f");
-    }
-  }
-  return soup;
+  return ObjReader(text, source).read();
 }
 
 std::string write_obj(const Soup& soup) {

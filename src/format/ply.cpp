@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include "cells.hpp"
 #include "mesh_text.hpp"
 
 #include "tetrarch/format/surface_files.hpp"
@@ -38,9 +39,13 @@ public:
   Soup read() && {
     read_header();
     for (const Element& element : elements_) {
+      if (!is_vertex(element) && !is_face(element) && !is_strip(element))
+        soup_.passed_over.note("element " + element.name, element.count);
       if (element.properties.empty()) continue;
       for (std::int64_t i = 0; i < element.count; ++i) read_one(element, static_cast<int>(i));
+      if (element.count > 0) note_properties(element);
     }
+    cells_.finish();
     return std::move(soup_);
   }
 
@@ -95,35 +100,51 @@ private:
     return property;
   }
 
+  static bool is_vertex(const Element& element) { return element.name == "vertex"; }
+  static bool is_face(const Element& element) { return element.name == "face"; }
+  static bool is_strip(const Element& element) { return element.name == "tristrips"; }
+  static bool lists_vertices(const Property& property) {
+    return property.count && (property.name == "vertex_indices" || property.name == "vertex_index");
+  }
+  static bool is_coordinate(const Property& property) {
+    return !property.count && property.name.size() == 1 && property.name[0] >= 'x' && property.name[0] <= 'z';
+  }
+
+  /// Those of vertices and faces that nobody reads.
+  void note_properties(const Element& element) {
+    for (const Property& property : element.properties)
+      if ((is_vertex(element) && !is_coordinate(property)) || (is_face(element) && !lists_vertices(property)))
+        soup_.passed_over.note("property " + property.name + " of a " + element.name, element.count);
+  }
+
   void read_one(const Element& element, int number) {
-    const bool is_vertex = element.name == "vertex";
-    const bool is_face = element.name == "face";
     std::array<double, 3> point{};
     for (const Property& property : element.properties) {
-      if (is_face && property.count &&
-          (property.name == "vertex_indices" || property.name == "vertex_index")) {
-        read_face(property, number);
+      if (lists_vertices(property) && (is_face(element) || is_strip(element))) {
+        read_list(property, is_strip(element), number);
       } else if (property.count) {
         for (std::int64_t n = whole(*property.count, "a length", 0); n > 0; --n) value(property.type);
       } else {
         const double x = value(property.type);
-        if (property.name.size() == 1 && property.name[0] >= 'x' && property.name[0] <= 'z')
-          point[static_cast<std::size_t>(property.name[0] - 'x')] = x;
+        if (is_coordinate(property)) point[static_cast<std::size_t>(property.name[0] - 'x')] = x;
       }
     }
-    if (!is_vertex) return;
+    if (!is_vertex(element)) return;
     soup_.points.push_back(point);
     note(soup_.point_labels, number, in_.line());
   }
 
-  void read_face(const Property& property, int number) {
-    const std::int64_t corners = whole(*property.count, "a face of 3 vertices", 0);
-    if (corners != 3) in_.fail(std::to_string(corners), "a face of 3 vertices");
-    std::array<int, 3> triangle{};
-    for (int& corner : triangle)
-      corner = static_cast<int>(whole(property.type, "the number of a vertex", -most_elements));
-    soup_.triangles.push_back(triangle);
-    note(soup_.triangle_labels, number, in_.line());
+  void read_list(const Property& property, bool is_strip, int number) {
+    const std::int64_t count = whole(*property.count, "how many vertices follow", 0);
+    corners_.clear();
+    corners_.reserve(in_.believable(count, binary_ ? 1 : 2));
+    for (std::int64_t k = 0; k < count; ++k)
+      corners_.push_back(static_cast<int>(whole(property.type, "the number of a vertex", -most_elements)));
+    if (is_strip) {
+      cells_.add_strip(corners_, {number, in_.line(), 0});
+    } else {
+      cells_.add_polygon(corners_, {number, in_.line(), 0});
+    }
   }
 
   std::int64_t whole(Scalar type, std::string_view expected, std::int64_t least) {
@@ -163,6 +184,8 @@ private:
 
   MeshCursor in_;
   Soup soup_;
+  Cells cells_{soup_};
+  std::vector<int> corners_;
   std::vector<Element> elements_;
   bool binary_ = false;
   bool swapped_ = false;

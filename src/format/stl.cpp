@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include "cells.hpp"
 #include "mesh_text.hpp"
 
 #include "tetrarch/format/surface_files.hpp"
@@ -46,50 +47,97 @@ public:
     }
     return at->second;
   }
-  void add(const std::array<int, 3>& corners, int line) {
-    soup_.triangles.push_back(corners);
-    note(soup_.triangle_labels, static_cast<int>(soup_.triangles.size()) - 1, line);
+  void add(std::span<const int> corners, int line, int tag) {
+    cells_.add_polygon(corners, {facets_++, line, tag});
   }
-  Soup soup() && { return std::move(soup_); }
+  void pass_over(std::string_view what, std::int64_t count) { soup_.passed_over.note(what, count); }
+  Soup soup() && {
+    cells_.finish();
+    return std::move(soup_);
+  }
 
 private:
   Soup soup_;
+  Cells cells_{soup_};
+  int facets_ = 0;
   std::unordered_map<Point, int, HashPoint, SamePoint> indices_;
 };
 
-void expect(MeshCursor& in, std::string_view word) {
-  const std::string_view found = in.token(word);
-  if (found != word) in.fail(found, word);
-}
+/// Keywords are in small letters or in capitals. Several solids may follow each other: patches of a surface.
+/// The last one may lack its end, and anything may stand behind the last end.
+class TextReader {
+public:
+  TextReader(std::string_view text, const std::string& source) : in_(text, source), welder_(source) {}
 
-Soup read_text(std::string_view text, const std::string& source) {
-  MeshCursor in(text, source);
-  Welder welder(source);
-  expect(in, "solid");
-  in.rest_of_line();
-  while (in.peek() == "facet") {
-    const int line = (in.token("facet"), in.line());
-    expect(in, "normal");
-    in.point();
-    expect(in, "outer");
-    expect(in, "loop");
-    std::array<int, 3> corners{};
-    for (int& corner : corners) {
-      expect(in, "vertex");
-      const int vertex_line = in.line();
-      corner = welder.point(in.point(), vertex_line);
-    }
-    expect(in, "endloop");
-    expect(in, "endfacet");
-    welder.add(corners, line);
+  Soup read() && {
+    while (is_next("SOLID")) read_solid();
+    if (solids_ == 0) in_.fail(in_.peek(), "solid");
+    if (!in_.at_end())
+      welder_.pass_over("byte after the facets", static_cast<std::int64_t>(in_.bytes_left()));
+    return std::move(welder_).soup();
   }
-  expect(in, "endsolid");
-  return std::move(welder).soup();
+
+private:
+  bool is_next(std::string_view word) { return in_.peek_capitals() == word; }
+  void expect(std::string_view word) {
+    const std::string_view found = in_.token(word);
+    if (capitals(found) != capitals(word)) in_.fail(found, word);
+  }
+
+  void read_solid() {
+    in_.token("solid");
+    if (!in_.rest_of_line().empty() && solids_ > 0) welder_.pass_over("name of a solid", 1);
+    while (is_next("FACET")) read_facet();
+    ++solids_;
+    if (is_next("ENDSOLID")) {
+      in_.token("");
+      in_.rest_of_line();
+    } else if (is_next("END")) {
+      in_.token("");
+      expect("solid");
+      in_.rest_of_line();
+    } else if (!in_.at_end() && !is_next("SOLID")) {
+      in_.fail(in_.peek(), "facet, endsolid or solid");
+    }
+  }
+
+  void read_facet() {
+    const int line = (in_.token("facet"), in_.line());
+    while (!is_next("OUTER")) in_.token("outer"); // the normal, in whatever words
+    in_.token("outer");
+    expect("loop");
+    corners_.clear();
+    while (!is_next("ENDLOOP")) {
+      expect("vertex");
+      const int vertex_line = in_.line();
+      corners_.push_back(welder_.point(in_.point(), vertex_line));
+    }
+    if (corners_.size() < 3) in_.fail(in_.peek(), "vertex");
+    in_.token("endloop");
+    expect("endfacet");
+    welder_.add(corners_, line, solids_);
+  }
+
+  MeshCursor in_;
+  Welder welder_;
+  std::vector<int> corners_;
+  int solids_ = 0;
+};
+
+std::uint64_t facets_announced(std::string_view text) {
+  return load<std::uint32_t>(text.data() + header_size, swapped);
 }
 
 Soup read_binary(std::string_view text, const std::string& source) {
   Welder welder(source);
-  for (std::size_t at = header_size + 4; at + facet_size <= text.size(); at += facet_size) {
+  const std::uint64_t facets = facets_announced(text);
+  const std::uint64_t room = (text.size() - header_size - 4) / facet_size;
+  if (facets > room)
+    throw InputError(Place{source, 0}, "the data end after " + std::to_string(room) + " facets, expected " +
+                                           std::to_string(facets));
+  std::int64_t attributes = 0;
+  std::size_t at = header_size + 4;
+  for (std::uint64_t f = 0; f < facets; ++f, at += facet_size) {
     std::array<int, 3> corners{};
     for (std::size_t c = 0; c < 3; ++c) {
       const char* const raw = text.data() + at + 12 * (c + 1);
@@ -98,21 +146,32 @@ Soup read_binary(std::string_view text, const std::string& source) {
       };
       corners[c] = welder.point({x(0), x(1), x(2)}, 0);
     }
-    welder.add(corners, 0);
+    welder.add(corners, 0, 0);
+    attributes += text[at + facet_size - 2] != '\0' || text[at + facet_size - 1] != '\0' ? 1 : 0;
   }
+  welder.pass_over("attribute of a facet", attributes);
+  welder.pass_over("byte after the facets", static_cast<std::int64_t>(text.size() - at));
   return std::move(welder).soup();
+}
+
+/// A binary file has a zero byte in its first facet, or in the number of facets; a text has none.
+bool has_zero_bytes(std::string_view text) {
+  return text.substr(0, header_size + 4 + facet_size).find('\0') != std::string_view::npos;
 }
 
 } // namespace
 
 bool is_binary_stl(std::string_view text) {
   if (text.size() < header_size + 4) return false;
-  const std::uint64_t facets = load<std::uint32_t>(text.data() + header_size, swapped);
-  return text.size() == header_size + 4 + facets * facet_size;
+  return text.size() == header_size + 4 + facets_announced(text) * facet_size;
 }
 
 Soup read_stl(std::string_view text, const std::string& source) {
-  return is_binary_stl(text) ? read_binary(text, source) : read_text(text, source);
+  if (is_binary_stl(text)) return read_binary(text, source);
+  text = without_byte_order_mark(text);
+  const bool is_text = capitals(trimmed(text.substr(0, header_size)).substr(0, 5)) == "SOLID";
+  if (text.size() >= header_size + 4 && (!is_text || has_zero_bytes(text))) return read_binary(text, source);
+  return TextReader(text, source).read();
 }
 
 std::string write_stl(const Soup& soup) {

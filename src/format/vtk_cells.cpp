@@ -1,44 +1,116 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "vtk_cells.hpp"
 
-#include "mesh_text.hpp"
+#include "tetrarch/core/error.hpp"
 
 #include <algorithm>
 
 namespace tetrarch::format {
 namespace {
 
-/// The dimension of the cells of a type; 3 for what is unknown, so that nothing is lost unawares.
-int dimension_of(int type) {
-  constexpr std::array<int, 8> low{1, 2, 3, 4, 21, 35, 68, 0}; // vertices, lines, curves, empty cells
-  constexpr std::array<int, 16> flat{5, 6, 7, 8, 9, 22, 23, 28, 30, 34, 36, 69, 70, 75, 76, 77};
-  if (std::find(low.begin(), low.end(), type) != low.end()) return 1;
-  return std::find(flat.begin(), flat.end(), type) != flat.end() ? 2 : 3;
+/// The corners come first in all types; `nodes` is 0 where there may be any number of further ones.
+struct VtkType {
+  int type;
+  Shape shape;
+  int nodes;
+};
+
+constexpr std::array<VtkType, 36> types{{{5, Shape::triangle, 3},
+                                         {8, Shape::quadrilateral, 4},
+                                         {9, Shape::quadrilateral, 4},
+                                         {10, Shape::tetrahedron, 4},
+                                         {11, Shape::hexahedron, 8},
+                                         {12, Shape::hexahedron, 8},
+                                         {13, Shape::prism, 6},
+                                         {14, Shape::pyramid, 5},
+                                         {15, Shape::pentagonal_prism, 10},
+                                         {16, Shape::hexagonal_prism, 12},
+                                         {22, Shape::triangle, 6},
+                                         {23, Shape::quadrilateral, 8},
+                                         {24, Shape::tetrahedron, 10},
+                                         {25, Shape::hexahedron, 20},
+                                         {26, Shape::prism, 15},
+                                         {27, Shape::pyramid, 13},
+                                         {28, Shape::quadrilateral, 9},
+                                         {29, Shape::hexahedron, 27},
+                                         {30, Shape::quadrilateral, 6},
+                                         {31, Shape::prism, 12},
+                                         {32, Shape::prism, 18},
+                                         {33, Shape::hexahedron, 24},
+                                         {34, Shape::triangle, 7},
+                                         {37, Shape::pyramid, 19},
+                                         {69, Shape::triangle, 0},
+                                         {70, Shape::quadrilateral, 0},
+                                         {71, Shape::tetrahedron, 0},
+                                         {72, Shape::hexahedron, 0},
+                                         {73, Shape::prism, 0},
+                                         {74, Shape::pyramid, 0},
+                                         {76, Shape::triangle, 0},
+                                         {77, Shape::quadrilateral, 0},
+                                         {78, Shape::tetrahedron, 0},
+                                         {79, Shape::hexahedron, 0},
+                                         {80, Shape::prism, 0},
+                                         {81, Shape::pyramid, 0}}};
+
+constexpr int pixel = 8;
+constexpr int voxel = 11;
+
+[[noreturn]] void refuse_count(std::size_t found, std::size_t expected, const CellName& name,
+                               const Place& place) {
+  throw InputError(place, "found " + std::to_string(found) + " points in cell " +
+                              std::to_string(name.number) + ", expected " + std::to_string(expected));
 }
 
-template <std::size_t corners>
-void add(std::vector<std::array<int, corners>>& elements, Labels& labels, std::span<const int> points,
-         int number, const Place& place) {
-  if (points.size() != corners)
-    throw InputError(place, "found " + std::to_string(points.size()) + " points in cell " +
-                                std::to_string(number) + ", expected " + std::to_string(corners));
-  std::array<int, corners> element{};
-  std::copy(points.begin(), points.end(), element.begin());
-  elements.push_back(element);
-  note(labels, number, place.line);
+bool is_one_of(int type, std::initializer_list<int> list) {
+  return std::find(list.begin(), list.end(), type) != list.end();
+}
+
+/// VTK's documentation looks at the base of a wedge from the other side than we do, and its pixels and
+/// voxels run along the axes.
+std::vector<int> in_our_order(int type, Shape shape, std::span<const int> points) {
+  std::vector<int> nodes(points.begin(), points.end());
+  if (type == pixel || type == voxel) std::swap(nodes[2], nodes[3]);
+  if (type == voxel) std::swap(nodes[6], nodes[7]);
+  if (shape == Shape::prism) {
+    std::swap(nodes[1], nodes[2]);
+    std::swap(nodes[4], nodes[5]);
+  }
+  return nodes;
 }
 
 } // namespace
 
-void add_vtk_cell(Soup& soup, int type, std::span<const int> points, int number, const Place& place) {
-  if (type == vtk_tetrahedron) return add(soup.tetrahedra, soup.tetrahedron_labels, points, number, place);
-  if (type == vtk_triangle) return add(soup.triangles, soup.triangle_labels, points, number, place);
-  const int dimension = dimension_of(type);
-  if (dimension == 3)
+void add_vtk_cell(Cells& cells, Ledger& passed_over, int type, std::span<const int> points,
+                  const CellName& name, const Place& place) {
+  if (type == 0) return; // the empty cell
+  if (is_one_of(type, {1, 2})) return passed_over.note("point element");
+  if (is_one_of(type, {3, 4, 21, 35, 68, 75})) return passed_over.note("line element");
+  if (type == vtk_strip) return cells.add_strip(points, name);
+  if (type == vtk_polygon) return cells.add_polygon(points, name);
+  constexpr int quadratic_polygon = 36;
+  if (type == quadratic_polygon) {
+    passed_over.note("midside node of a polygon", static_cast<std::int64_t>(points.size() / 2));
+    return cells.add_polygon(points.first(points.size() / 2), name);
+  }
+  const auto known =
+      std::find_if(types.begin(), types.end(), [type](const VtkType& row) { return row.type == type; });
+  if (known == types.end())
     throw InputError(place, "found a cell of type " + std::to_string(type) +
-                                ", expected tetrahedra of four points, type 10, alone");
-  if (dimension == 2 && soup.warnings.empty())
-    soup.warnings.emplace_back("surface cells other than triangles were passed over");
+                                ", expected triangles, quadrilaterals, polygons, tetrahedra, pyramids, "
+                                "prisms or hexahedra");
+  const auto expected =
+      static_cast<std::size_t>(known->nodes > 0 ? known->nodes : corner_count(known->shape));
+  if (known->nodes > 0 ? points.size() != expected : points.size() < expected)
+    refuse_count(points.size(), expected, name, place);
+  cells.add(known->shape, in_our_order(type, known->shape, points), name);
+}
+
+int label_rank(std::string_view name) {
+  constexpr std::array<std::string_view, 12> names{
+      "material",     "region",    "attribute",  "regions",   "CellEntityIds", "gmsh:geometrical",
+      "cell_markers", "cell_tags", "tetgen:ref", "medit:ref", "gmsh:physical", label_name};
+  const auto found = std::find(names.begin(), names.end(), name);
+  return found == names.end() ? 0 : static_cast<int>(found - names.begin()) + 1;
 }
 
 } // namespace tetrarch::format

@@ -1,20 +1,26 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
-/// Cells by VTK's type numbers, as both of its file formats have them.
+/// Cells by VTK's type numbers, as its file formats have them, and their labels.
 
-#include "mesh_cursor.hpp"
+#include "cells.hpp"
 
 #include <span>
+#include <string_view>
 
 namespace tetrarch::format {
 
-inline constexpr int vtk_triangle = 5;
-inline constexpr int vtk_tetrahedron = 10;
+inline constexpr int vtk_polygon = 7;
+inline constexpr int vtk_strip = 6;
 
-/// Adds the cell to `soup`, or passes over it (with a warning if a surface cell is lost). Its points count
-/// from `first_point` of the soup. Throws InputError at `place` for a volume cell that is no tetrahedron, an
-/// unknown type and a wrong number of points.
-void add_vtk_cell(Soup& soup, int type, std::span<const int> points, int number, const Place& place);
+/// Adds the cell to `cells`. Throws InputError at `place` for cells that have no place in a soup (polyhedra,
+/// which list their faces elsewhere, and parametric ones) and for a wrong number of points.
+void add_vtk_cell(Cells& cells, Ledger& passed_over, int type, std::span<const int> points,
+                  const CellName& name, const Place& place);
+
+/// How good a name of an array is for labels of cells; 0: it is something else. The first is what we write;
+/// others are what meshio, Gmsh and their like write.
+int label_rank(std::string_view name);
+inline constexpr const char* label_name = "label";
 
 } // namespace tetrarch::format

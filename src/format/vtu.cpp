@@ -46,7 +46,12 @@ public:
     parts_.xml = std::string(); // the tree has its own copy
     const pugi::xml_node file = document.child("VTKFile");
     read_storage(file);
-    for (const pugi::xml_node& piece : file.child("UnstructuredGrid").children("Piece")) read_piece(piece);
+    const pugi::xml_node grid = file.child(is_polydata_ ? "PolyData" : "UnstructuredGrid");
+    for (const pugi::xml_node& field : grid.child("FieldData").children())
+      soup_.passed_over.note("field array " + std::string(field.attribute("Name").value()));
+    for (const pugi::xml_node& piece : grid.children("Piece")) read_piece(piece);
+    if (pieces_ > 1) soup_.passed_over.note("division into pieces");
+    cells_.finish_turning_prisms();
     return std::move(soup_);
   }
 
@@ -55,16 +60,19 @@ private:
 
   void read_storage(const pugi::xml_node& file) {
     const std::string_view type = file.attribute("type").value();
-    if (type != "UnstructuredGrid")
-      fail("found a VTK file of type " + in_quotes(type) + ", expected UnstructuredGrid");
+    if (type != "UnstructuredGrid" && type != "PolyData")
+      fail("found a VTK file of type " + in_quotes(type) + ", expected UnstructuredGrid or PolyData");
+    is_polydata_ = type == "PolyData";
     const std::string_view order = file.attribute("byte_order").value();
     storage_.swapped = swapped_if(order == "BigEndian" ? std::endian::big : std::endian::little);
     storage_.wide_header = std::string_view(file.attribute("header_type").value()) == "UInt64";
     const std::string_view compressor = file.attribute("compressor").value();
-    storage_.compressed = !compressor.empty();
-    if (storage_.compressed && compressor != "vtkZLibDataCompressor")
+    if (compressor.empty()) return;
+    const auto packing = packing_named(compressor);
+    if (!packing)
       fail("the data are compressed by " + in_quotes(compressor) +
-           ", expected vtkZLibDataCompressor or none");
+           ", expected vtkZLibDataCompressor, vtkLZ4DataCompressor, vtkLZMADataCompressor or none");
+    storage_.packing = *packing;
   }
 
   std::size_t size_of(const pugi::xml_node& piece, const char* name) const {
@@ -82,7 +90,7 @@ private:
 
   void read_piece(const pugi::xml_node& piece) {
     const std::size_t points = size_of(piece, "NumberOfPoints");
-    const std::size_t cells = size_of(piece, "NumberOfCells");
+    ++pieces_;
     const int first_point = static_cast<int>(soup_.points.size());
     if (points > 0) {
       const std::vector<double> x = read_reals(storage_, piece.child("Points").child("DataArray"));
@@ -92,19 +100,85 @@ private:
         note(soup_.point_labels, static_cast<int>(soup_.points.size()) - 1, 0);
       }
     }
-    if (cells > 0) read_cells(piece.child("Cells"), cells, first_point);
+    note_arrays(piece.child("PointData"), "point array");
+    if (is_polydata_) {
+      read_polydata(piece, first_point);
+      return;
+    }
+    const std::size_t cells = size_of(piece, "NumberOfCells");
+    const std::vector<int> labels = read_labels(piece.child("CellData"), cells);
+    if (cells == 0) return;
+    const pugi::xml_node node = piece.child("Cells");
+    const std::vector<int> types = array(node, "types");
+    require_size(types.size(), cells, "types");
+    read_cells(node, cells, first_point, labels, 0, [&types](std::size_t i) { return types[i]; });
+  }
+
+  struct PolyKind {
+    const char* element;
+    const char* count;
+    int type;
+  };
+
+  /// Data count the cells in this order.
+  void read_polydata(const pugi::xml_node& piece, int first_point) {
+    constexpr std::array<PolyKind, 4> kinds{{{"Verts", "NumberOfVerts", 1},
+                                             {"Lines", "NumberOfLines", 3},
+                                             {"Strips", "NumberOfStrips", vtk_strip},
+                                             {"Polys", "NumberOfPolys", vtk_polygon}}};
+    // Strips are written before polygons, but counted after them.
+    constexpr std::array<std::size_t, 4> order{0, 1, 3, 2};
+    std::size_t all = 0;
+    for (const PolyKind& kind : kinds)
+      if (piece.attribute(kind.count)) all += size_of(piece, kind.count);
+    const std::vector<int> labels = read_labels(piece.child("CellData"), all);
+    std::size_t before = 0;
+    for (const std::size_t k : order) {
+      const PolyKind& kind = kinds[k];
+      const std::size_t cells = piece.attribute(kind.count) ? size_of(piece, kind.count) : 0;
+      if (cells == 0) continue;
+      read_cells(piece.child(kind.element), cells, first_point, labels, before,
+                 [&kind](std::size_t) { return kind.type; });
+      before += cells;
+    }
+  }
+
+  void note_arrays(const pugi::xml_node& data, const char* what) {
+    for (const pugi::xml_node& array : data.children("DataArray"))
+      soup_.passed_over.note(std::string(what) + " " + array.attribute("Name").value());
+  }
+
+  /// Of the arrays of integers whose names are those of labels, the best; none if there is none.
+  std::vector<int> read_labels(const pugi::xml_node& data, std::size_t cells) {
+    pugi::xml_node best;
+    const auto rank = [](const pugi::xml_node& array) {
+      const std::string_view type = array.attribute("type").value();
+      const std::string_view components = array.attribute("NumberOfComponents").value();
+      const bool fits = type.find("Int") != std::string_view::npos &&
+                        (components.empty() || components == "1" || components == "0");
+      return fits ? label_rank(array.attribute("Name").value()) : 0;
+    };
+    for (const pugi::xml_node& array : data.children())
+      if (rank(array) > (best ? rank(best) : 0)) best = array;
+    for (const pugi::xml_node& array : data.children())
+      if (array != best) soup_.passed_over.note("cell array " + std::string(array.attribute("Name").value()));
+    if (!best || cells == 0) return {};
+    std::vector<int> labels = read_integers(storage_, best);
+    require_size(labels.size(), cells, "labels");
+    return labels;
   }
 
   std::vector<int> array(const pugi::xml_node& cells, const char* name) const {
     return read_integers(storage_, cells.find_child_by_attribute("DataArray", "Name", name));
   }
 
-  void read_cells(const pugi::xml_node& node, std::size_t cells, int first_point) {
+  /// `labels` begin at the place `before`.
+  template <class TypeOf>
+  void read_cells(const pugi::xml_node& node, std::size_t cells, int first_point,
+                  const std::vector<int>& labels, std::size_t before, TypeOf type_of) {
     const std::vector<int> ends = array(node, "offsets");
-    const std::vector<int> types = array(node, "types");
     std::vector<int> points = array(node, "connectivity");
     require_size(ends.size(), cells, "offsets");
-    require_size(types.size(), cells, "types");
     for (int& p : points) {
       if (p > most_elements - first_point)
         fail("found the point " + std::to_string(p) + ", which does not exist");
@@ -117,7 +191,8 @@ private:
              std::to_string(points.size()));
       const auto corners = std::span<const int>(points).subspan(static_cast<std::size_t>(start),
                                                                 static_cast<std::size_t>(ends[i] - start));
-      add_vtk_cell(soup_, types[i], corners, cells_++, {soup_.source, 0});
+      const int label = labels.empty() ? 0 : labels[before + i];
+      add_vtk_cell(cells_, soup_.passed_over, type_of(i), corners, {number_++, 0, label}, {soup_.source, 0});
       start = ends[i];
     }
   }
@@ -125,13 +200,32 @@ private:
   Parts parts_;
   VtuStorage storage_;
   Soup soup_;
-  int cells_ = 0; ///< in all pieces so far
+  Cells cells_{soup_};
+  int number_ = 0; ///< of cells in all pieces so far
+  int pieces_ = 0;
+  bool is_polydata_ = false;
 };
 
 void append_array(std::string& out, const char* type, const char* name, std::string_view numbers) {
   out += std::string("<DataArray type=\"") + type + "\" Name=\"" + name + "\" format=\"ascii\">\n";
   out += numbers;
   out += "</DataArray>\n";
+}
+
+void append_labels(std::string& out, const Soup& soup) {
+  if (soup.triangle_tags.empty() && soup.tetrahedron_tags.empty()) return;
+  std::string labels;
+  const auto append = [&labels](std::size_t count, const std::vector<int>& tags) {
+    for (std::size_t i = 0; i < count; ++i) {
+      append_number(labels, tags.empty() ? 0 : tags[i]);
+      labels += '\n';
+    }
+  };
+  append(soup.triangles.size(), soup.triangle_tags);
+  append(soup.tetrahedra.size(), soup.tetrahedron_tags);
+  out += std::string("<CellData Scalars=\"") + label_name + "\">\n";
+  append_array(out, "Int32", label_name, labels);
+  out += "</CellData>\n";
 }
 
 } // namespace
@@ -164,7 +258,9 @@ std::string write_vtu(const Soup& soup) {
   append_array(out, "Int32", "connectivity", connectivity);
   append_array(out, "Int64", "offsets", offsets);
   append_array(out, "UInt8", "types", types);
-  return out + "</Cells>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n";
+  out += "</Cells>\n";
+  append_labels(out, soup);
+  return out + "</Piece>\n</UnstructuredGrid>\n</VTKFile>\n";
 }
 
 } // namespace tetrarch::format

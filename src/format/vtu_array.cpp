@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "vtu_array.hpp"
 
-#include "inflate.hpp"
 #include "mesh_cursor.hpp"
 
 #include <type_traits>
@@ -96,9 +95,10 @@ std::string unpacked(const VtuStorage& storage, const pugi::xml_node& array, Byt
   std::string out;
   for (std::uint64_t b = 0; b < blocks; ++b) {
     const std::uint64_t wanted = b + 1 == blocks && last > 0 ? last : size;
-    const std::string block = inflate(bytes.take(packed[b]), longest_file, {storage.source, 0}).data;
-    if (block.size() != wanted || out.size() + wanted > longest_file)
+    if (out.size() > longest_file || wanted > longest_file - out.size())
       fail(storage, array, "has a block of another length than announced");
+    const std::string block = unpack(storage.packing, bytes.take(packed[b]), wanted, {storage.source, 0});
+    if (block.size() != wanted) fail(storage, array, "has a block of another length than announced");
     out += block;
   }
   return out;
@@ -121,7 +121,7 @@ template <class T>
 std::vector<T> from_bytes(const VtuStorage& storage, const pugi::xml_node& array) {
   ByteSource bytes(storage, array);
   const std::string raw =
-      storage.compressed ? unpacked(storage, array, bytes) : bytes.take(bytes.take_header());
+      storage.packing != Packing::none ? unpacked(storage, array, bytes) : bytes.take(bytes.take_header());
   const std::string_view type = array.attribute("type").value();
   if constexpr (std::is_same_v<T, double>) {
     if (type == "Float32") return converted<float, T>(storage, array, raw);
@@ -145,8 +145,8 @@ std::vector<T> from_text(const VtuStorage& storage, const pugi::xml_node& array)
   MeshCursor in(array.text().get(), storage.source);
   while (!in.at_end()) {
     const std::string_view token = in.token("a number");
-    const auto real = parse_double(token);
-    const auto integer = parse_integer(token);
+    const auto real = lenient_double(token);
+    const auto integer = lenient_integer(token);
     const bool fits = std::is_same_v<T, double> ? real.has_value() : integer && std::in_range<int>(*integer);
     if (!fits) fail(storage, array, "has " + in_quotes(token) + ", expected a number");
     if constexpr (std::is_same_v<T, double>) {

@@ -8,6 +8,8 @@
 /// others), and the packed length of each. Bytes stand in the element as base64, or in the appended section,
 /// as they are or as base64.
 
+#include "unpack.hpp"
+
 #include "tetrarch/core/error.hpp"
 
 #include <cstdint>
@@ -25,7 +27,7 @@ struct VtuStorage {
   bool appended_base64 = false;
   bool swapped = false; ///< the bytes of numbers are not in this machine's order
   bool wide_header = false;
-  bool compressed = false;
+  Packing packing = Packing::none;
 };
 
 /// The numbers of a DataArray. Throw InputError if it is not there, is damaged, or holds what no double or

@@ -64,8 +64,8 @@ SideEnd end_at(const Surface& surface, int vertex) {
 
 class Builder {
 public:
-  Builder(MarkedSurface& surface, int base, CanonicalLoops& result)
-      : surface_(surface), base_(base), result_(result) {}
+  Builder(MarkedSurface& surface, int base, CanonicalLoops& result, const Progress& progress)
+      : surface_(surface), base_(base), result_(result), progress_(progress) {}
 
   void add_handle() {
     ++handles_;
@@ -111,7 +111,7 @@ private:
   int first_arc() const { return 2 * handles_ + 1; }
   bool is_at_base(const Corner& corner) const { return surface_.surface.vertex(corner.end) == base_; }
   void lay(int m, const Places& from, const Places& to) {
-    const SplitCount count = lay_path(surface_, m, from, to);
+    const SplitCount count = lay_path(surface_, m, from, to, progress_);
     result_.edge_splits += count.edges;
     result_.face_splits += count.faces;
   }
@@ -154,30 +154,49 @@ private:
   MarkedSurface& surface_;
   int base_;
   CanonicalLoops& result_;
+  const Progress& progress_;
   int handles_ = 0;
   int before_ = 0; ///< the marks around the corner where the next handle starts
   int after_ = 0;
+  std::map<std::pair<int, int>, double> bounds_; ///< of the lengths of loops that start at these marks
 };
 
 /// The corner between two commutators from which the next loop is shortest. Always taking the first, say,
 /// lets loops follow earlier ones, and their lengths grow exponentially with the genus.
+///
+/// Cuts make no loop shorter, so that a length found for an earlier handle is a bound from below. Only where
+/// the bound is the least is the length found anew: a few corners for each handle and not all of them.
 void Builder::choose_start() {
   if (handles_ == 1) return;
   const std::vector<int> word = boundary_word(surface_);
-  std::optional<std::pair<int, int>> best;
-  double least = infinity;
-  for (std::size_t k = 0; k < word.size(); ++k) {
-    if (!is_product_of_commutators(word, k)) continue;
-    before_ = word[(k + word.size() - 1) % word.size()];
-    after_ = word[k];
+  std::size_t first = 0;
+  while (!is_product_of_commutators(word, first)) ++first;
+  // The bound, the order on the boundary from the first letter of the word on, and the marks.
+  using Start = std::tuple<double, std::size_t, std::pair<int, int>>;
+  std::priority_queue<Start, std::vector<Start>, std::greater<>> queue;
+  std::map<std::pair<int, int>, double> bounds; // of the corners that there still are
+  // A single commutator may be read from each of its letters on.
+  const std::size_t step = word.size() == 4 ? 1 : 4;
+  for (std::size_t k = first % step; k < word.size(); k += step) {
+    const std::pair marks(word[(k + word.size() - 1) % word.size()], word[k]);
+    const auto known = bounds_.find(marks);
+    bounds[marks] = known == bounds_.end() ? -1 : known->second;
+    queue.emplace(bounds[marks], k, marks);
+  }
+  bounds_ = std::move(bounds);
+  std::map<std::pair<int, int>, char> is_exact;
+  for (;;) {
+    const auto [bound, order, marks] = queue.top();
+    queue.pop();
+    std::tie(before_, after_) = marks;
+    if (std::exchange(is_exact[marks], 1)) return;
+    if (progress_.stop_requested()) throw Stopped();
     mark_cut_locus();
     const double length = find_crossing().length;
     unmark_cut_locus();
-    if (best && length >= least) continue;
-    best = {before_, after_};
-    least = length;
+    bounds_[marks] = length;
+    queue.emplace(length, order, marks);
   }
-  std::tie(before_, after_) = *best;
 }
 
 /// The dual tree of shortest paths from the triangles around the start: for each side whether it is crossed.
@@ -289,14 +308,17 @@ int prepare_base(MarkedSurface& surface, int base, CanonicalLoops& result) {
 
 } // namespace
 
-CanonicalLoops mark_canonical_loops(MarkedSurface& surface, int base) {
+CanonicalLoops mark_canonical_loops(MarkedSurface& surface, int base, const Progress& progress) {
   const int genus = genus_of(surface);
   if (std::any_of(surface.mark.begin(), surface.mark.end(), [](int m) { return m != 0; }))
     throw PreconditionError("the surface is marked already");
   CanonicalLoops result;
   result.base = prepare_base(surface, base, result);
-  Builder builder(surface, result.base, result);
-  for (int k = 0; k < genus; ++k) builder.add_handle();
+  Builder builder(surface, result.base, result, progress);
+  for (int k = 0; k < genus; ++k) {
+    progress.step("laying loops", static_cast<double>(k) / genus);
+    builder.add_handle();
+  }
   builder.rename();
   for (int k = 1; k <= 2 * genus; ++k) result.length.push_back(length_of(surface, k));
   return result;

@@ -116,7 +116,7 @@ Rims grow_from(const Surface& surface, int seed, const std::vector<double>& dist
 }
 
 /// Growths from triangles far from each other, whose corners differ.
-std::vector<Rims> grow_all(const MarkedSurface& sphere, int seeds) {
+std::vector<Rims> grow_all(const MarkedSurface& sphere, int seeds, const Progress& progress) {
   const Surface& surface = sphere.surface;
   std::vector<SideEnd> end_of(static_cast<std::size_t>(surface.vertex_count()));
   for (int k = 0; k < surface.side_count(); ++k) {
@@ -131,6 +131,7 @@ std::vector<Rims> grow_all(const MarkedSurface& sphere, int seeds) {
   from_all = path_lengths(sphere, surface, {*usable});
   std::vector<Rims> all;
   for (int k = 0; k < seeds; ++k) {
+    progress.step("finding an equator", static_cast<double>(k) / seeds);
     int root = -1;
     for (int v = 0; v < surface.vertex_count(); ++v)
       if (end_of[v].side.exists() && (root < 0 || from_all[v] > from_all[root])) root = v;
@@ -197,12 +198,12 @@ void give_interior_vertices(MarkedSurface& sphere, Equator& equator) {
 
 } // namespace
 
-Equator mark_equator(MarkedSurface& sphere, int edges, int seeds) {
+Equator mark_equator(MarkedSurface& sphere, int edges, int seeds, const Progress& progress) {
   if (!type_of(sphere.surface).is_sphere()) throw PreconditionError("an equator needs a sphere");
   if (std::any_of(sphere.mark.begin(), sphere.mark.end(), [](int m) { return m != 0; }))
     throw PreconditionError("the surface is marked already");
   if (seeds < 1) throw PreconditionError("an equator needs a seed to grow from");
-  mark_rim(sphere, choose(grow_all(sphere, seeds), sphere.surface.triangle_count(), edges));
+  mark_rim(sphere, choose(grow_all(sphere, seeds, progress), sphere.surface.triangle_count(), edges));
   Equator equator;
   equator.edge_splits = lengthen(sphere, 1, edges);
   equator.edges = length_of(sphere, 1);

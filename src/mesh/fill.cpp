@@ -133,6 +133,10 @@ format::Soup fill(const format::Soup& surface, const Progress& progress, const s
   format::Soup solid = format::read_soup_file(directory / "surface.1.ele");
   solid.source = surface.source;
   solid.point_source.clear();
+  solid.passed_over = surface.passed_over;
+  solid.triangles.clear(); // the surface again, with markers that nobody gave
+  solid.triangle_labels = {};
+  solid.triangle_tags.clear();
   return solid;
 }
 

@@ -64,6 +64,8 @@ protected:
   /// Leaves out the elements with an index out of range or, as `repeated`, a vertex twice.
   void look_at_corners(int t, Kind repeated);
   void look_at_use();
+  /// Used points of equal coordinates; -0 is 0. O(n log n).
+  void look_at_coincidence();
   /// Of the facets on one set of points, those of different elements; duplicates are left out from here on.
   template <class Facet>
   void find_different(std::span<const Facet> shared, std::vector<Facet>& different);
@@ -124,6 +126,26 @@ void Findings<N>::look_at_use() {
   for (int v = 0; v < static_cast<int>(used_.size()); ++v)
     if (!used_[static_cast<std::size_t>(v)])
       add_vertex(Kind::unused_vertex, v, [&] { return vertex(v) + " is in no " + elements_.noun; });
+}
+
+template <std::size_t N>
+void Findings<N>::look_at_coincidence() {
+  std::vector<int> order;
+  for (int v = 0; v < static_cast<int>(used_.size()); ++v)
+    if (used_[static_cast<std::size_t>(v)] && is_finite(point(v))) order.push_back(v);
+  std::sort(order.begin(), order.end(),
+            [this](int a, int b) { return point(a) != point(b) ? point(a) < point(b) : a < b; });
+  std::vector<std::array<int, 2>> coincident; // a vertex and the first one there
+  for (std::size_t first = 0, k = 1; k < order.size(); ++k) {
+    if (point(order[k]) == point(order[first]))
+      coincident.push_back({order[k], order[first]});
+    else
+      first = k;
+  }
+  std::sort(coincident.begin(), coincident.end());
+  for (const auto& [v, first] : coincident)
+    add_vertex(Kind::coincident_vertex, v,
+               [&, v = v, first = first] { return vertex(v) + " coincides with " + vertex(first); });
 }
 
 template <std::size_t N>

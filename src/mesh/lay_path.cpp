@@ -264,12 +264,14 @@ std::vector<double> path_lengths(const MarkedSurface& surface, const Surface& op
   return search.vertex_distances();
 }
 
-SplitCount lay_path(MarkedSurface& surface, int m, const Places& from, const Places& to) {
+SplitCount lay_path(MarkedSurface& surface, int m, const Places& from, const Places& to,
+                    const Progress& progress) {
   SplitCount count;
   // Once chords are split, the search finds the way over their middles, or a cheaper one; likewise once
   // diagonals are flipped. Every round crosses fewer; the budget is for mistakes of ours.
   constexpr int most_rounds = 100'000;
   for (int round = 0; round < most_rounds; ++round) {
+    if (progress.stop_requested()) throw Stopped();
     const Surface open = cut_open(surface);
     Search search(surface, open);
     const int end = search.run(from(open), to(open));

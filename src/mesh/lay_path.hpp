@@ -18,6 +18,7 @@
 /// crosses. Without this, a path between two others has as many edges as both together, and lengths grow
 /// exponentially.
 
+#include "tetrarch/core/progress.hpp"
 #include "tetrarch/mesh/marked_surface.hpp"
 
 #include <functional>
@@ -50,7 +51,8 @@ using Places = std::function<std::vector<SideEnd>(const Surface& open)>;
 
 /// Lays a shortest path from one of `from` to one of `to` and marks it with m, so that the path runs along
 /// its sides of mark m. Throws `PreconditionError` if they are on different parts of the surface cut open.
-/// Returns what had to be split. O(n log n).
-SplitCount lay_path(MarkedSurface& surface, int m, const Places& from, const Places& to);
+/// Returns what had to be split. A stop is heard between searches. O(n log n).
+SplitCount lay_path(MarkedSurface& surface, int m, const Places& from, const Places& to,
+                    const Progress& progress = {});
 
 } // namespace tetrarch::mesh

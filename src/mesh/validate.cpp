@@ -4,6 +4,8 @@
 #include "face_sweep.hpp"
 #include "findings.hpp"
 #include "gluing.hpp"
+#include "orient_solid.hpp"
+#include "soup_edit.hpp"
 
 #include "tetrarch/core/skeleton.hpp"
 #include "tetrarch/numeric/predicates.hpp"
@@ -18,22 +20,16 @@ struct KindRow {
 
 /// In the order of `Kind`.
 constexpr std::array<KindRow, kind_count> kinds{{
-    {"no_tetrahedra", Severity::fatal},
-    {"no_triangles", Severity::fatal},
-    {"not_finite", Severity::fatal},
-    {"index_out_of_range", Severity::fatal},
-    {"repeated_vertex", Severity::fatal},
-    {"degenerate", Severity::repairable},
-    {"duplicate", Severity::repairable},
-    {"face_shared", Severity::fatal},
-    {"non_manifold_edge", Severity::fatal},
-    {"non_manifold_vertex", Severity::fatal},
-    {"inverted", Severity::repairable},
-    {"turned", Severity::repairable},
-    {"flat", Severity::remark},
-    {"not_orientable", Severity::remark},
-    {"unused_vertex", Severity::repairable},
-    {"several_components", Severity::remark},
+    {"no_tetrahedra", Severity::fatal},      {"no_triangles", Severity::fatal},
+    {"not_finite", Severity::fatal},         {"index_out_of_range", Severity::fatal},
+    {"repeated_vertex", Severity::fatal},    {"degenerate", Severity::repairable},
+    {"duplicate", Severity::repairable},     {"face_shared", Severity::fatal},
+    {"non_manifold_edge", Severity::fatal},  {"non_manifold_vertex", Severity::fatal},
+    {"inverted", Severity::repairable},      {"folded", Severity::remark},
+    {"turned", Severity::repairable},        {"flat", Severity::remark},
+    {"not_orientable", Severity::remark},    {"unused_vertex", Severity::repairable},
+    {"coincident_vertex", Severity::remark}, {"stray_triangle", Severity::remark},
+    {"inside_out", Severity::remark},        {"several_components", Severity::remark},
 }};
 
 /// Looks at the parts of a soup from the simplest on; each look builds on what the earlier ones left.
@@ -49,20 +45,26 @@ public:
       add(Kind::no_tetrahedra, 0, 0, [] { return "the mesh has no tetrahedra"; });
       std::fill(used_.begin(), used_.end(), 1);
     }
-    for (int t = 0; t < element_count(); ++t) {
-      look_at_corners(t, Kind::repeated_vertex);
-      if (!is_left_out(t)) look_at_volume(t);
-    }
+    for (int t = 0; t < element_count(); ++t) look_at_corners(t, Kind::repeated_vertex);
+    std::vector<char> proper(left_out_);
+    for (char& p : proper) p = static_cast<char>(!p);
     Triangulation tri = glue();
+    const std::vector<int> signs = solid_signs(soup_, tri, proper);
+    for (int t = 0; t < element_count(); ++t)
+      if (proper[t]) look_at_volume(t, signs[t]);
+    look_at_triangles();
     if (report_.count(Kind::face_shared) == 0) look_at_links(tri);
     look_at_use();
+    if (element_count() > 0) look_at_coincidence();
     return finish();
   }
 
 private:
+  std::array<int, 3> sorted_corners(TetFace face) const;
   std::string names(TetFace face) const;
 
-  void look_at_volume(int t);
+  void look_at_volume(int t, int sign);
+  void look_at_triangles();
   Triangulation glue();
   void look_at_face(Triangulation& tri, std::span<const SortedFace> shared);
   void look_at_links(const Triangulation& tri);
@@ -70,25 +72,51 @@ private:
   void look_at_vertices(const Skeleton& skeleton, const std::vector<char>& on_bad_edge);
 
   std::vector<SortedFace> different_;
+  std::vector<ListedTriangle> triangles_ = listed_triangles(soup_);
+  std::vector<char> is_face_ = std::vector<char>(triangles_.size(), 0); ///< of tetrahedra
 };
 
-/// The three vertices of a face, in increasing order.
-std::string Validator::names(TetFace face) const {
+std::array<int, 3> Validator::sorted_corners(TetFace face) const {
   std::array<int, 3> v{};
   for (std::size_t c = 0; c < 3; ++c)
     v[c] = corners(face.tet)[static_cast<std::size_t>(face_vertex[static_cast<std::size_t>(face.face)][c])];
   std::sort(v.begin(), v.end());
+  return v;
+}
+
+/// The three vertices of a face, in increasing order.
+std::string Validator::names(TetFace face) const {
+  const std::array<int, 3> v = sorted_corners(face);
   return name(v[0]) + ", " + name(v[1]) + ", " + name(v[2]);
 }
 
-void Validator::look_at_volume(int t) {
+/// `sign`: whether the tetrahedron is listed as its component is oriented; 0: that cannot be said.
+void Validator::look_at_volume(int t, int sign) {
   const auto& [a, b, c, d] = corners(t);
   for (const int v : corners(t))
     if (!is_finite(point(v))) return;
-  const numeric::Sign sign = numeric::volume_sign(point(a), point(b), point(c), point(d));
-  if (sign == numeric::Sign::negative)
+  const int volume = static_cast<int>(numeric::volume_sign(point(a), point(b), point(c), point(d)));
+  if (volume == 0) {
+    add_element(Kind::flat, t, [&] { return element(t) + " is flat"; });
+  } else if (volume < 0 && sign < 0) {
     add_element(Kind::inverted, t, [&] { return element(t) + " has negative volume"; });
-  if (sign == numeric::Sign::zero) add_element(Kind::flat, t, [&] { return element(t) + " is flat"; });
+  } else if (sign != 0 ? volume != sign : volume < 0) {
+    add_element(Kind::folded, t,
+                [&] { return element(t) + " is inverted against its component: it is folded over"; });
+  }
+}
+
+void Validator::look_at_triangles() {
+  if (element_count() == 0) return;
+  std::vector<int> stray;
+  for (std::size_t k = 0; k < triangles_.size(); ++k)
+    if (!is_face_[k]) stray.push_back(triangles_[k].index);
+  std::sort(stray.begin(), stray.end());
+  for (const int t : stray) {
+    const long long number = soup_.triangle_labels.number(t, soup_.first_number);
+    add(Kind::stray_triangle, number, soup_.triangle_labels.line(t),
+        [&] { return "triangle " + std::to_string(number) + " is no face of a tetrahedron"; });
+  }
 }
 
 Triangulation Validator::glue() {
@@ -99,6 +127,10 @@ Triangulation Validator::glue() {
 }
 
 void Validator::look_at_face(Triangulation& tri, std::span<const SortedFace> shared) {
+  if (!triangles_.empty()) {
+    const auto [first, last] = on_corners(triangles_, sorted_corners(shared.front().at()));
+    for (std::size_t k = first; k < last; ++k) is_face_[k] = 1;
+  }
   find_different(shared, different_);
   if (different_.size() == 2) glue_shared_face(tri, soup_.tetrahedra, different_[0].at(), different_[1].at());
   if (different_.size() > 2)
@@ -193,7 +225,7 @@ Severity severity_of(Kind kind) {
 
 Place place_of(const Finding& finding, const format::Soup& soup) {
   const bool about_point = finding.kind == Kind::not_finite || finding.kind == Kind::non_manifold_vertex ||
-                           finding.kind == Kind::unused_vertex;
+                           finding.kind == Kind::unused_vertex || finding.kind == Kind::coincident_vertex;
   return {about_point && !soup.point_source.empty() ? soup.point_source : soup.source, finding.line};
 }
 

@@ -2,6 +2,7 @@
 #include "tetrarch/mesh/validate_surface.hpp"
 
 #include "edge_sweep.hpp"
+#include "enclosed.hpp"
 #include "findings.hpp"
 #include "orient.hpp"
 
@@ -59,7 +60,9 @@ public:
     const Signs signs = signs_of(surface);
     look_at_orientation(surface, signs);
     look_at_components(signs.parts);
+    if (report_.count(Kind::not_finite) == 0) look_at_insides(surface, signs);
     look_at_use();
+    look_at_coincidence();
     return finish();
   }
 
@@ -71,6 +74,7 @@ private:
   void look_at_vertices(const Surface& surface);
   void look_at_orientation(const Surface& surface, const Signs& signs);
   void look_at_components(const Parts& parts);
+  void look_at_insides(const Surface& surface, const Signs& signs);
 
   std::vector<SortedSide> different_;
   std::vector<char> on_bad_edge_;          ///< points on an edge of three or more triangles
@@ -178,6 +182,20 @@ void SurfaceValidator::look_at_components(const Parts& parts) {
     return "the surface falls apart into " + std::to_string(first.size()) +
            " components: " + element(first[1]) + " is not connected with " + element(first[0]);
   });
+}
+
+void SurfaceValidator::look_at_insides(const Surface& surface, const Signs& signs) {
+  std::vector<char> left_out(left_out_);
+  const Enclosed enclosed = enclosed_volumes(soup_, surface, signs, left_out);
+  std::vector<char> told(enclosed.inside_out.size(), 0);
+  for (int t = 0; t < element_count(); ++t) {
+    const int part = signs.parts.of[t];
+    if (!enclosed.inside_out[part] || std::exchange(told[part], 1)) continue;
+    add_element(Kind::inside_out, t, [&] {
+      return "the closed component of " + element(t) + " is inside out: the volume in it is " +
+             format::to_text(enclosed.volume[part]);
+    });
+  }
 }
 
 } // namespace

@@ -3,6 +3,7 @@
 #include "writers.hpp"
 
 #include "tetrarch/format/text.hpp"
+#include "tetrarch/numeric/vector.hpp"
 
 namespace tetrarch::scene {
 namespace {
@@ -37,16 +38,36 @@ struct Counts {
   std::int64_t normals = 1;
 };
 
-void append_triangles(std::string& out, const Surface& surface, const Counts& first) {
+/// What every corner of the file names. Readers such as VTK's drop faces where corners differ in that.
+struct Corners {
+  bool textures = false;
+  bool normals = false;
+};
+
+/// Of a surface that has none: of each point, the mean of the normals around, weighed by area.
+std::vector<std::array<double, 3>> mean_normals(const Surface& surface) {
+  using namespace numeric;
+  std::vector<std::array<double, 3>> normals(surface.points.size(), {0, 0, 0});
+  for (const auto& [a, b, c] : surface.triangles) {
+    const Point normal = cross(surface.points[b] - surface.points[a], surface.points[c] - surface.points[a]);
+    for (const int v : {a, b, c}) normals[v] = normals[v] + normal;
+  }
+  for (auto& n : normals) n = direction(n).value_or(Point{0, 0, 1});
+  return normals;
+}
+
+/// A surface without places in a texture has one place for all corners.
+void append_triangles(std::string& out, const Surface& surface, const Counts& first, const Corners& named) {
   for (const auto& corners : surface.triangles) {
     out += 'f';
     for (const int corner : corners) {
       out += ' ';
       format::append_number(out, first.points + corner);
-      if (surface.textures.empty() && surface.normals.empty()) continue;
+      if (!named.textures && !named.normals) continue;
       out += '/';
-      if (!surface.textures.empty()) format::append_number(out, first.textures + corner);
-      if (surface.normals.empty()) continue;
+      if (named.textures)
+        format::append_number(out, first.textures + (surface.textures.empty() ? 0 : corner));
+      if (!named.normals) continue;
       out += '/';
       format::append_number(out, first.normals + corner);
     }
@@ -59,8 +80,12 @@ void append_triangles(std::string& out, const Surface& surface, const Counts& fi
 std::string write_obj(const Scene& scene) {
   const AllSurfaces surfaces(scene);
   std::size_t lines = 0;
-  for (const Surface* s : surfaces.all)
+  Corners named;
+  for (const Surface* s : surfaces.all) {
+    named.textures = named.textures || !s->textures.empty();
+    named.normals = named.normals || !s->normals.empty();
     lines += 1 + s->points.size() + s->textures.size() + s->normals.size() + s->triangles.size();
+  }
   std::string out;
   out.reserve(lines * line_bytes);
   Counts first;
@@ -69,11 +94,16 @@ std::string write_obj(const Scene& scene) {
     out += "o " + one_word(surface.name, k) + "\n";
     append_vectors<double>(out, "v", surface.points);
     append_vectors<double>(out, "vt", surface.textures);
+    const bool lacks_texture = named.textures && surface.textures.empty();
+    if (lacks_texture) out += "vt 0 0\n";
     append_vectors<float>(out, "vn", surface.normals);
-    append_triangles(out, surface, first);
+    const bool lacks_normals = named.normals && surface.normals.empty();
+    if (lacks_normals) append_vectors<float>(out, "vn", mean_normals(surface));
+    append_triangles(out, surface, first, named);
     first.points += static_cast<std::int64_t>(surface.points.size());
-    first.textures += static_cast<std::int64_t>(surface.textures.size());
-    first.normals += static_cast<std::int64_t>(surface.normals.size());
+    first.textures += static_cast<std::int64_t>(surface.textures.size()) + (lacks_texture ? 1 : 0);
+    first.normals +=
+        static_cast<std::int64_t>(lacks_normals ? surface.points.size() : surface.normals.size());
   }
   return out;
 }

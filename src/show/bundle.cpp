@@ -52,6 +52,13 @@ public:
     return {(center + x) * std::cos(angle) + apart * part_of_[vertex], (center + x) * std::sin(angle), y};
   }
 
+  /// The same level above the disk itself, which is no torus then.
+  Point upright(int vertex, double j) const {
+    constexpr double height = 3;
+    constexpr double apart = 3;
+    return {flat(vertex)[0] + apart * part_of_[vertex], flat(vertex)[1], height * j / fiber_};
+  }
+
 private:
   void lay_flat(const mesh::Part& part, int number) {
     const auto points = mesh::tutte_embedding(part.surface);
@@ -72,22 +79,88 @@ private:
 
 } // namespace
 
+namespace {
+
+/// Tetrahedra over the covering disks, each by vertices of the surface cut open and levels.
+struct Pile {
+  struct Corner {
+    int vertex;
+    int level; ///< 0 to the fibre's edges
+  };
+  std::vector<std::array<Corner, 4>> tetrahedra;
+};
+
+double volume(const std::array<Point, 4>& p) {
+  std::array<Point, 3> e{};
+  for (std::size_t k = 0; k < 3; ++k)
+    for (std::size_t axis = 0; axis < 3; ++axis) e[k][axis] = p[k + 1][axis] - p[0][axis];
+  return e[0][0] * (e[1][1] * e[2][2] - e[1][2] * e[2][1]) -
+         e[0][1] * (e[1][0] * e[2][2] - e[1][2] * e[2][0]) +
+         e[0][2] * (e[1][0] * e[2][1] - e[1][1] * e[2][0]);
+}
+
+template <class Place>
+double volume(const std::array<Pile::Corner, 4>& tetrahedron, Place place) {
+  std::array<Point, 4> p{};
+  for (std::size_t c = 0; c < 4; ++c) p[c] = place(tetrahedron[c]);
+  return volume(p);
+}
+
+/// The pile as it stands on its disks, where every tetrahedron is positive: prisms are straight there.
+Pile upright_pile(const Tori& tori, const bundle::CircleBundle& bundle) {
+  Pile pile;
+  for (int tet = 0; tet < bundle.total.size(); ++tet) {
+    auto& corners = pile.tetrahedra.emplace_back();
+    for (int v = 0; v < 4; ++v)
+      corners[static_cast<std::size_t>(v)] = {
+          tori.open().corners(bundle.triangle(tet))[bundle.corner({tet, v})], bundle.level({tet, v})};
+    if (volume(corners, [&](const Pile::Corner& c) { return tori.upright(c.vertex, c.level); }) < 0)
+      std::swap(corners[2], corners[3]);
+  }
+  return pile;
+}
+
+/// Whether the pile stays free of inverted tetrahedra when it is bent round to solid tori; if all are
+/// inverted then, they are turned round. A fibre of one or two edges cannot be bent: its edges would be
+/// points and its prisms flat.
+bool can_be_bent(Pile& pile, const Tori& tori, int fiber) {
+  if (fiber < 3) return false;
+  int positive = 0;
+  int negative = 0;
+  for (const auto& tetrahedron : pile.tetrahedra) {
+    const double v = volume(tetrahedron, [&](const Pile::Corner& c) { return tori.at(c.vertex, c.level); });
+    positive += v > 0;
+    negative += v < 0;
+  }
+  const auto all = static_cast<int>(pile.tetrahedra.size());
+  if (negative == all)
+    for (auto& tetrahedron : pile.tetrahedra) std::swap(tetrahedron[2], tetrahedron[3]);
+  return positive == all || negative == all;
+}
+
+} // namespace
+
 Scene solid_tori(const Plan& plan, const bundle::CircleBundle& bundle) {
   const Tori tori(plan);
   const int n = bundle.fiber;
+  Pile pile = upright_pile(tori, bundle);
+  const bool bent = can_be_bent(pile, tori, n);
+  const int levels = bent ? n : n + 1; // upright, the last level is not the first again
   Cells cells;
   cells.name = "bundle";
   for (int v = 0; v < tori.open().vertex_count(); ++v)
-    for (int j = 0; j < n; ++j) {
-      cells.points.push_back(tori.at(v, j));
+    for (int j = 0; j < levels; ++j) {
+      cells.points.push_back(bent ? tori.at(v, j) : tori.upright(v, j));
       cells.textures.push_back({tori.flat(v)[0], tori.flat(v)[1], static_cast<double>(j) / n});
     }
   std::array<Data, 4> data{{{"triangle", {}}, {"origin", {}}, {"level", {}}, {"disk", {}}}};
   for (int tet = 0; tet < bundle.total.size(); ++tet) {
     const int t = bundle.triangle(tet);
     std::array<int, 4> corners{};
-    for (int v = 0; v < 4; ++v)
-      corners[v] = tori.open().corners(t)[bundle.corner({tet, v})] * n + bundle.level({tet, v}) % n;
+    for (int v = 0; v < 4; ++v) {
+      const Pile::Corner& c = pile.tetrahedra[static_cast<std::size_t>(tet)][static_cast<std::size_t>(v)];
+      corners[v] = c.vertex * levels + c.level % levels;
+    }
     cells.tetrahedra.push_back(corners);
     const std::array<int, 4> values{t, plan.cut.origin[t], tet / 3 % n, tori.part(t)};
     for (std::size_t k = 0; k < data.size(); ++k) data[k].values.push_back(values[k]);

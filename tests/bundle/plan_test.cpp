@@ -11,7 +11,9 @@
 #include "tetrarch/moves/simplify.hpp"
 
 #include <catch2/catch.hpp>
+#include <cmath>
 #include <numeric>
+#include <stop_token>
 
 using namespace tetrarch;
 using namespace tetrarch::bundle;
@@ -246,6 +248,30 @@ TEST_CASE("A disk takes the values of its boundary, or says which part cannot", 
   for (std::size_t k = 0; k < sides.size(); ++k)
     CHECK(p.recipe.value[sides[k].value] == std::vector<int>{1, -1, 1, 1}[k]);
   checked(p);
+}
+
+TEST_CASE("Coordinates near the end of what doubles hold plan the bundle that small ones do", "[bundle]") {
+  // Lengths of edges of 1e308 are infinite in doubles, and those of 1e-308 vanish in squares.
+  for (const double size : {1e308, -1e308, 1.0, 1e-308}) {
+    INFO(size);
+    mesh::MarkedSurface tetrahedron = tetrahedron_surface().marked();
+    tetrahedron.points = {{size, 0, 0}, {-size, 0, 0}, {0, size, 0}, {0, 0, size}};
+    for (const int fiber : {1, 8}) {
+      const Plan p = std::get<Plan>(plan(tetrahedron, {fiber, {}, {}, {}}));
+      checked(p);
+      for (const auto& point : p.cut.points)
+        for (const double x : point) CHECK(std::fabs(x) <= std::fabs(size));
+      CHECK(p.cut.points[0] == tetrahedron.points[0]);
+    }
+  }
+}
+
+TEST_CASE("Planning stops when it is told to, whatever it cuts along", "[bundle]") {
+  std::stop_source source;
+  source.request_stop();
+  const Progress stopped({}, source.get_token());
+  for (const mesh::MarkedSurface& surface : {icosphere(2).marked(), genus_surface(3).marked()})
+    CHECK_THROWS_AS(static_cast<void>(plan(surface, {4, {}, {}, {}}, stopped)), Stopped);
 }
 
 TEST_CASE("What a surface does not have cannot be asked of its bundle", "[bundle]") {

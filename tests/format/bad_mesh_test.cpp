@@ -63,7 +63,7 @@ TEST_CASE("TetGen's files cut off anywhere are an error", "[bad][mesh]") {
     return error_of([&] { read_tetgen({files.node, with(files.ele, from, to), "n", "e"}); });
   };
   CHECK(spoilt("2 1 3 2 5", "3 1 3 2 5") == "e:3: found '3', expected tetrahedron 2 next");
-  CHECK(spoilt("2 4 0", "2 10 0") == "e:1: found '10', expected 4 points in a tetrahedron");
+  CHECK(spoilt("2 4 0", "2 5 0") == "e:1: found '5', expected 4 or 10 points in a tetrahedron");
   CHECK(spoilt("2 4 0", "1 4 0") == "e:3: found '2', expected the end of the file");
   CHECK(spoilt("2 1 3 2 5\n", "") == "e:2: the text ends, expected a number");
 }
@@ -73,7 +73,7 @@ TEST_CASE("wrong MEDIT files", "[bad][mesh]") {
     return complaint(with(medit, from, to));
   };
   CHECK(complaint(medit).empty());
-  CHECK(spoilt("Dimension 3", "Dimension 2") == "f:2: found '2', expected dimension 3");
+  CHECK(spoilt("Dimension 3", "Dimension 4") == "f:2: found '4', expected dimension 2 or 3");
   CHECK(spoilt("1 0 0 0\n0 1", "1 0 x 0\n0 1") == "f:6: found 'x', expected a coordinate");
   CHECK(spoilt("1 2 3 4 0", "1 2 3.5 4 0") == "f:11: found '3.5', expected the number of a vertex");
   CHECK(spoilt("1 2 3 4 0", "1 2 3 99999999999 0") ==
@@ -81,10 +81,10 @@ TEST_CASE("wrong MEDIT files", "[bad][mesh]") {
   CHECK(spoilt("Tetrahedra\n1", "Tetrahedra\n2") == "f:12: found 'End', expected the number of a vertex");
   CHECK(spoilt("Tetrahedra\n1", "Tetrahedra\n-1") == "f:10: found '-1', expected the number of tetrahedra");
   CHECK(spoilt("Vertices\n4", "Vertices\n3") == "f:8: found '0', expected a keyword, like Tetrahedra");
-  CHECK(spoilt("End", "Hexahedra 1") == "f:12: found 'Hexahedra', expected tetrahedra alone");
+  CHECK(spoilt("End", "Hexahedra 1") == "f:12: the text ends, expected the number of a vertex");
   CHECK(spoilt("End", "Vertices 0") == "f:12: found 'vertices', expected only one list of vertices");
   CHECK(read_medit(with(medit, "End", "Hexahedra 0 End"), "f").tetrahedra.size() == 1);
-  CHECK(read_medit(with(medit, "End", "Quadrilaterals 1 1 2 3 4 0"), "f").warnings.size() == 1);
+  CHECK(read_medit(with(medit, "End", "Quadrilaterals 1 1 2 3 4 0"), "f").triangles.size() == 2);
   // What is in no range is still an integer: the soup keeps it, validation tells.
   CHECK(read_medit(with(medit, "1 2 3 4 0", "0 2 3 -7 0"), "f").tetrahedra[0] ==
         std::array<int, 4>{-1, 1, 2, -8});
@@ -96,14 +96,12 @@ TEST_CASE("wrong Gmsh files", "[bad][mesh]") {
   const auto spoilt = [&](const std::string& from, const std::string& to) {
     return complaint(with(text, from, to));
   };
-  CHECK(spoilt("4.1 0 8", "4 0 8") == "f:2: found '4', expected version 2.x or 4.1");
+  CHECK(spoilt("4.1 0 8", "3 0 8") == "f:2: found '3', expected version 2.x, 4.0 or 4.1");
   CHECK(spoilt("4.1 0 8", "4.1 0 4") == "f:2: found '4', expected 8 bytes in a real number");
-  CHECK(spoilt("3 1 4 2", "3 1 11 2") ==
-        "f:22: found 'volume elements of 10 nodes', expected tetrahedra of 4 nodes alone");
-  CHECK(spoilt("3 1 4 2", "3 1 99 2") == "f:22: found '99', expected an element type, 1 to 31");
+  CHECK(spoilt("3 1 4 2", "3 1 99 2") == "f:27: found '99', expected an element type of Gmsh up to 31");
   CHECK(spoilt("3 1 0 5", "3 1 0 4").find("found") != std::string::npos);
-  CHECK(spoilt("$EndNodes", "$End") == "f:17: found '$End', expected $EndNodes");
-  CHECK(spoilt("$EndElements", "") == "f:24: the text ends, expected $EndElements");
+  CHECK(spoilt("$EndNodes", "$End") == "f:22: found '$End', expected $EndNodes");
+  CHECK(spoilt("$EndElements", "") == "f:29: the text ends, expected $EndElements");
 }
 
 TEST_CASE("wrong VTK files", "[bad][mesh]") {
@@ -112,8 +110,10 @@ TEST_CASE("wrong VTK files", "[bad][mesh]") {
     return complaint(with(text, from, to));
   };
   CHECK(spoilt("4 0 1 2 3\n", "4 0 1 2 x\n") == "f:13: found 'x', expected the number of a point");
-  CHECK(spoilt("5\n10\n10\n", "5\n10\n12\n") ==
-        "f:14: found a cell of type 12, expected tetrahedra of four points, type 10, alone");
+  CHECK(spoilt("5\n10\n10\n", "5\n10\n42\n") ==
+        "f:14: found a cell of type 42, expected triangles, quadrilaterals, polygons, tetrahedra, pyramids, "
+        "prisms or hexahedra");
+  CHECK(spoilt("5\n10\n10\n", "5\n10\n12\n") == "f:14: found 4 points in cell 2, expected 8");
   CHECK(spoilt("5\n10\n10\n", "10\n10\n10\n") == "f:12: found 3 points in cell 0, expected 4");
   CHECK(spoilt("CELL_TYPES 3", "CELL_TYPES 2").find("found") != std::string::npos);
   CHECK(spoilt("UNSTRUCTURED_GRID", "STRUCTURED_GRID") ==
@@ -132,15 +132,12 @@ TEST_CASE("wrong VTK files", "[bad][mesh]") {
 }
 
 TEST_CASE("wrong surfaces", "[bad][mesh]") {
-  CHECK(complaint("v 0 0 0\nv 1 0 0\nf 1 2 3 4\n", "f.obj") ==
-        "f.obj:3: found '4', expected a face of three vertices");
-  CHECK(complaint("v 0 0 0\nf 1 2", "f.obj") == "f.obj:2: the line ends, expected three vertices");
+  CHECK(complaint("v 0 0 0\nf 1 2", "f.obj") == "f.obj:2: the line ends, expected three vertices or more");
   CHECK(complaint("v 0 0 0\nf 1 0 1", "f.obj") == "f.obj:2: found '0', expected the number of a vertex");
-  CHECK(complaint("OFF\n4 1 0\n0 0 0\n0 0 0\n0 0 0\n0 0 0\n4 0 1 2 3\n") ==
-        "f:7: found '4', expected 3 vertices of a face");
+  CHECK(complaint("OFF\n4 1 0\n0 0 0\n0 0 0\n0 0 0\n0 0 0\n-4 0 1 2 3\n") ==
+        "f:7: found '-4', expected the number of vertices of a face");
   CHECK(complaint("ply\nformat ascii 2.0\nelement face 1\nproperty list uchar int "
-                  "vertex_index\nend_header\n4 0 1 2 3\n") ==
-        "f:6: found '4', expected a face of 3 vertices");
+                  "vertex_index\nend_header\n4 0 1 2 x\n") == "f:6: found 'x', expected a number");
   CHECK(complaint("ply\nformat binary_middle_endian 1.0\n").find("binary_big_endian") != std::string::npos);
   CHECK(complaint("solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nendloop\n") ==
         "f:5: found 'endloop', expected vertex");

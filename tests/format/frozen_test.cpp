@@ -42,8 +42,17 @@ TEST_CASE("frozen files are read and written as they were", "[frozen]") {
   for (const std::string& path : frozen()) {
     if (has_extension(path, ".md")) continue;
     INFO(path);
-    CHECK(rewritten(path) == read_file(path));
     ++count;
+    // Gmsh cannot open what was written then, for its elements are on entities that are not announced. It is
+    // read as ever, and its bytes are not written again.
+    if (has_extension(path, ".msh")) {
+      const Soup soup = read_soup_file(path);
+      const Soup same = read_soup_file(with(path, ".msh", ".mesh"));
+      CHECK((soup.points == same.points && soup.triangles == same.triangles &&
+             soup.tetrahedra == same.tetrahedra && soup.triangles.size() > 0));
+      continue;
+    }
+    CHECK(rewritten(path) == read_file(path));
   }
   CHECK(count >= 34); // as many as there were when the corpus began
 }

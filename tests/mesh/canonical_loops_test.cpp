@@ -9,8 +9,11 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <numeric>
+#include <stop_token>
 
 namespace {
+
+constexpr int most_splits_a_handle = 250; // 165 were seen
 
 using namespace tetrarch;
 using namespace tetrarch::mesh;
@@ -53,6 +56,22 @@ TEST_CASE("Canonical loops open surfaces of every genus to the polygon with the 
     check_canonical(surface, loops, genus, 0);
     check_directions(surface, loops);
   }
+}
+
+// The number of splits is bound from experience, there to be seen when it breaks.
+TEST_CASE("Canonical loops of many handles stay short and stop when told to") {
+  MarkedSurface surface = genus_surface(25).marked();
+  MarkedSurface same = surface;
+  const CanonicalLoops loops = mark_canonical_loops(surface);
+  check_canonical(surface, loops, 25, 0);
+  CHECK(loops.edge_splits + loops.face_splits < 25 * most_splits_a_handle);
+  std::stop_source source;
+  const Progress progress(
+      [&source](std::string_view, double fraction) {
+        if (fraction > 0.4) source.request_stop();
+      },
+      source.get_token());
+  CHECK_THROWS_AS(mark_canonical_loops(same, -1, progress), Stopped);
 }
 
 TEST_CASE("Canonical loops exist on surfaces with one vertex") {

@@ -6,6 +6,8 @@
 #include "tetrarch/core/error.hpp"
 #include "tetrarch/scene/files.hpp"
 
+#include "tetrarch/numeric/predicates.hpp"
+
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <map>
@@ -55,6 +57,21 @@ TEST_CASE("The solid tori of a sphere's bundle have the volume of two rings and 
   for (const auto& part : mesh::split(surface, parts)) CHECK(mesh::type_of(part.surface).str() == "torus");
   for (const Data& d : cells.data) CHECK(d.values.size() == cells.tetrahedra.size());
   CHECK_NOTHROW(write_scene(scene, SceneFormat::vtu));
+}
+
+TEST_CASE("No tetrahedron of the solid tori is inverted, however few levels there are", "[scene]") {
+  for (const int fiber : {1, 2, 3, 4, 9})
+    for (const auto& list : {icosphere(1), torus_grid(4, 5), klein_grid(4, 4)}) {
+      INFO(fiber);
+      const bundle::Plan plan = plan_of(list, fiber);
+      const bundle::CircleBundle bundle = bundle::assemble(plan.recipe);
+      const Cells cells = solid_tori(plan, bundle).cells.at(0);
+      REQUIRE(cells.tetrahedra.size() == static_cast<std::size_t>(bundle.total.size()));
+      for (const auto& t : cells.tetrahedra) {
+        const auto p = [&](std::size_t k) { return cells.points.at(static_cast<std::size_t>(t[k])); };
+        CHECK(numeric::volume_sign(p(0), p(1), p(2), p(3)) == numeric::Sign::positive);
+      }
+    }
 }
 
 TEST_CASE("Bands show each triangle of the boundary and each edge once", "[scene]") {

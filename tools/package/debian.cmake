@@ -38,7 +38,7 @@ set(development_needs "libboost-dev (>= 1.74)" "nlohmann-json3-dev (>= 3.11)" li
 if(BUILD_SHARED_LIBS)
   list(APPEND development_needs "tetrarch (= ${PROJECT_VERSION})")
 else()
-  list(APPEND development_needs libpugixml-dev zlib1g-dev)
+  list(APPEND development_needs libpugixml-dev zlib1g-dev liblz4-dev liblzma-dev)
   if(cholmod_found)
     list(APPEND development_needs libsuitesparse-dev)
     if(TARGET tetrarch::openblas)

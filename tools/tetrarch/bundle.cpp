@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "command.hpp"
+#include "doctor.hpp"
 #include "embedding.hpp"
 #include "info.hpp"
 #include "output.hpp"
@@ -20,6 +21,7 @@
 #include "tetrarch/scene/files.hpp"
 #include "tetrarch/show/bundle.hpp"
 
+#include <cmath>
 #include <memory>
 #include <numbers>
 #include <optional>
@@ -41,7 +43,7 @@ struct Options {
   PlanOptions plan;
   std::optional<int> twist;
   double memory = 4;
-  bool repair = false;
+  Doctor doctor;
 };
 
 bool is_svg(const std::string& path) {
@@ -59,6 +61,36 @@ void require_outputs(const Options& options) {
   require_folder(options.obstruction);
   if (!format::mesh_format_for_extension(options.obstruction))
     throw InputError({options.obstruction, 0}, "no mesh format has this extension");
+}
+
+/// Options that this surface gives nothing to do.
+void require_used(const Options& options, const SurfaceType& type, std::optional<int> euler) {
+  if (!options.field.empty()) {
+    for (const double x : options.field)
+      if (!std::isfinite(x)) throw InputError("--field: expected three finite numbers");
+    if (options.field == std::vector<double>{0, 0, 0})
+      throw InputError("--field 0 0 0: the vector has no direction");
+    if (!type.is_closed() || !type.orientable)
+      throw InputError({options.input, 0},
+                       "--field needs a closed orientable surface, on which the indices of "
+                       "a field add up, but this surface is " +
+                           type.str());
+    if (euler.value_or(type.euler) != type.euler)
+      throw InputError("--field: a tangent field belongs to the unit tangent bundle, of Euler number " +
+                       std::to_string(type.euler));
+  }
+  if (!options.obstruction.empty() && type.is_closed())
+    throw InputError({options.input, 0},
+                     "--obstruction: only a surface with boundary can have one, but this is " + type.str());
+  for (const std::string& path : options.outputs) {
+    if (!is_svg(path)) continue;
+    if (options.show == "surface")
+      throw InputError({path, 0}, "--show surface has no flat picture (expected .glb, .ply, .obj or .vtu)");
+    if (type.is_disk())
+      throw InputError({path, 0},
+                       "a disk is not cut, so that there are no bands to draw (expected .glb, .ply, "
+                       ".obj or .vtu)");
+  }
 }
 
 /// Says what a caller asked for that cannot be had.
@@ -80,6 +112,7 @@ PlanOptions plan_options(const Options& options, const SurfaceInput& surface) {
   if (plan.euler && std::abs(static_cast<long long>(*plan.euler)) * plan.fiber > 10'000'000)
     throw InputError("--euler " + std::to_string(*plan.euler) +
                      ": the total twist is more than 10000000 steps");
+  require_used(options, type, plan.euler);
   if (options.boundary != "free") {
     if (type.is_closed())
       throw InputError({options.input, 0},
@@ -251,7 +284,10 @@ Json details_json(const Plan& plan, const ProvedBundle& made, const Singularitie
   json["closed"] = made.proof.has_euler_number;
   json["refined"] = {{"triangles", made.bundle.base.triangle_count()}, {"splits", plan.splits()}};
   json["cut"] = cut_json(plan);
-  json["field"] = made.proof.has_euler_number ? index_json(singular.field) : Json();
+  // A tangent field is a section of the unit tangent bundle alone.
+  const bool tangent =
+      made.proof.has_euler_number && made.proof.euler_number == mesh::type_of(made.bundle.base).euler;
+  json["field"] = tangent ? index_json(singular.field) : Json();
   json["section"] = made.proof.has_euler_number ? index_json(singular.section) : Json();
   return json;
 }
@@ -274,11 +310,12 @@ Rows details_rows(const Plan& plan, const Json& details, const ProvedBundle& mad
 
 Result run_bundle(const Options& options, const Context& context) {
   require_outputs(options);
-  const SurfaceInput surface = read_surface(options.input, context, options.repair);
+  const SurfaceInput surface = read_surface(options.input, context, options.doctor);
   const PlanOptions wanted = plan_options(options, surface);
   const SurfaceType type = mesh::type_of(surface.mesh.surface);
   require_room(wanted, surface, type, options);
-  const auto planned = bundle::plan(mesh::MarkedSurface(surface.mesh.surface, surface.mesh.points), wanted);
+  const auto planned =
+      bundle::plan(mesh::MarkedSurface(surface.mesh.surface, surface.mesh.points), wanted, context.progress);
   if (const auto* found = std::get_if<bundle::Obstruction>(&planned))
     return obstructed(*found, surface, options);
   const Plan& plan = std::get<Plan>(planned);
@@ -298,6 +335,9 @@ Result run_bundle(const Options& options, const Context& context) {
     rows.insert(rows.end(), more.begin(), more.end());
   Result result;
   result.warnings = surface.warnings;
+  if (!options.obstruction.empty())
+    result.warnings.push_back("there is no obstruction: " + in_quotes(options.obstruction) +
+                              " was not written");
   result.text = block(rows);
   result.json = std::move(info.json);
   result.json["surface"] = {{"type", type.str()}, {"triangles", triangles}, {"euler", type.euler}};
@@ -346,8 +386,7 @@ Run declare_bundle(OptionTable& table) {
   table.add("--obstruction", o->obstruction, "write the part of a disk that has no solution to this file")
       .value_name("FILE");
   table.add("--memory", o->memory, "greatest memory to use, in gigabytes").with_default();
-  table.add("--repair", o->repair,
-            "first repair the mesh: orientation, duplicates, unused vertices, degenerate triangles");
+  declare_doctor(table, o->doctor);
   return [o](const Context& context) { return run_bundle(*o, context); };
 }
 

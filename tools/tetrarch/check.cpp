@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "command.hpp"
+#include "doctor.hpp"
 #include "input.hpp"
 #include "text.hpp"
 
 #include "tetrarch/core/error.hpp"
 #include "tetrarch/format/mesh_files.hpp"
 #include "tetrarch/mesh/boundary_loops.hpp"
+#include "tetrarch/mesh/boundary_surface.hpp"
+#include "tetrarch/mesh/quality.hpp"
 #include "tetrarch/mesh/repair.hpp"
 #include "tetrarch/mesh/validate_surface.hpp"
+#include "tetrarch/mesh/weld.hpp"
 
 #include <array>
 #include <memory>
@@ -19,8 +23,11 @@ struct Options {
   std::string input;
   std::string output;
   int listed = 10;
-  bool repair = false;
+  Doctor doctor;
 };
+
+/// How many of the worst elements are told by their numbers.
+constexpr int most_worst = 10;
 
 const char* word(mesh::Severity severity) {
   switch (severity) {
@@ -65,17 +72,34 @@ std::string findings_text(const mesh::Report& report, const format::Soup& soup) 
   return text;
 }
 
-/// Adds what a surface without fatal findings is. What can be mended is taken as mended: of duplicates and
-/// the like there is no type. Vertices are counted from 0, so that v17 asks for the same loop elsewhere.
-void describe_surface(Result& result, const format::Soup& found) {
+/// The types of the parts of a surface.
+std::vector<SurfaceType> types_of(const mesh::Surface& surface) {
+  std::vector<SurfaceType> types;
+  for (const mesh::Part& part : mesh::split(surface, mesh::parts(surface)))
+    types.push_back(mesh::type_of(part.surface));
+  return types;
+}
+
+/// Adds what a surface without fatal findings is; returns whether it is closed and orientable, so that it
+/// encloses a volume. What can be mended is taken as mended: of duplicates and the like there is no type.
+/// Vertices are counted from 0, so that v17 asks for the same loop elsewhere.
+bool describe_surface(Result& result, const format::Soup& found) {
   format::Soup soup = mesh::repair(found).soup;
   const auto vertices = static_cast<int>(soup.points.size());
   const mesh::TriangleMesh mesh{std::move(soup.points), mesh::Surface(vertices, std::move(soup.triangles))};
-  const int components = mesh::parts(mesh.surface).count;
+  const std::vector<SurfaceType> types = types_of(mesh.surface);
+  const auto components = static_cast<int>(types.size());
   result.json["components"] = components;
-  result.json["type"] = components == 1 ? Json(mesh::type_of(mesh.surface).str()) : Json();
-  result.text +=
-      components == 1 ? mesh::type_of(mesh.surface).str() + "\n" : counted(components, "component") + "\n";
+  bool encloses = true;
+  Json genera = Json::array();
+  for (const SurfaceType& type : types) {
+    encloses = encloses && type.is_closed() && type.orientable;
+    genera.push_back(type.genus());
+  }
+  result.json["genus"] = components == 1 ? genera.front() : Json();
+  result.json["component_genera"] = std::move(genera);
+  result.json["type"] = components == 1 ? Json(types.front().str()) : Json();
+  result.text += components == 1 ? types.front().str() + "\n" : counted(components, "component") + "\n";
   Json list = Json::array();
   for (const mesh::BoundaryLoop& loop : mesh::boundary_loops(mesh)) {
     Json names = Json::array();
@@ -89,6 +113,7 @@ void describe_surface(Result& result, const format::Soup& found) {
     list.push_back({{"index", index}, {"length", loop.length}, {"area", loop.area}, {"vertices", names}});
   }
   result.json["boundary_loops"] = std::move(list);
+  return encloses;
 }
 
 Json counts_json(const mesh::Report& report) {
@@ -100,19 +125,87 @@ Json counts_json(const mesh::Report& report) {
   return counts;
 }
 
+Json point_json(const std::array<double, 3>& p) {
+  Json list = Json::array();
+  for (const double x : p) list.push_back(x);
+  return list;
+}
+
+std::string point_text(const std::array<double, 3>& p) {
+  return "(" + rounded(p[0]) + ", " + rounded(p[1]) + ", " + rounded(p[2]) + ")";
+}
+
+/// Adds box, volume, area and quality. Indices are in range and points finite.
+void describe_size(Result& result, const format::Soup& soup, bool encloses, int listed) {
+  const bool is_surface = soup.tetrahedra.empty();
+  const mesh::Extent extent = mesh::extent(soup);
+  const mesh::Quality quality = mesh::quality(soup, listed);
+  result.json["box"] = {{"least", point_json(extent.least)}, {"greatest", point_json(extent.greatest)}};
+  result.json["volume"] = is_surface && !encloses ? Json() : Json(extent.volume);
+  if (is_surface) result.json["area"] = extent.area;
+  const std::string angles = is_surface ? "angles" : "dihedral angles";
+  result.text += "box " + point_text(extent.least) + " to " + point_text(extent.greatest) + ", " +
+                 (is_surface ? "area " + rounded(extent.area) : "volume " + rounded(extent.volume)) +
+                 (is_surface && encloses ? ", volume " + rounded(extent.volume) : "") + "\n" + angles + " " +
+                 rounded(quality.least_angle) + " to " + rounded(quality.greatest_angle) +
+                 " degrees, least scaled Jacobian " + rounded(quality.least_scaled_jacobian) + "\n";
+  Json worst = Json::array();
+  const format::Labels& labels = is_surface ? soup.triangle_labels : soup.tetrahedron_labels;
+  for (const mesh::ElementQuality& one : quality.worst) {
+    const long long number = labels.number(one.element, soup.first_number);
+    worst.push_back({{"number", number},
+                     {"least_angle", one.least_angle},
+                     {"greatest_angle", one.greatest_angle},
+                     {"scaled_jacobian", one.scaled_jacobian}});
+  }
+  result.json["quality"] = {{"least_angle", quality.least_angle},
+                            {"greatest_angle", quality.greatest_angle},
+                            {"least_scaled_jacobian", quality.least_scaled_jacobian},
+                            {"worst", std::move(worst)}};
+  constexpr double poor = 0.1; // a sliver, or nearly; fewer than all are worth a line
+  std::string bad;
+  for (const mesh::ElementQuality& one : quality.worst)
+    if (one.scaled_jacobian < poor)
+      bad += (bad.empty() ? "" : ", ") + std::to_string(labels.number(one.element, soup.first_number)) +
+             " (" + rounded(one.least_angle) + ")";
+  if (!bad.empty())
+    result.text += "worst " + std::string(is_surface ? "triangles" : "tetrahedra") +
+                   " (least angle in degrees): " + bad + "\n";
+}
+
+/// Whether nothing stops measuring: every index in range, every point finite.
+bool is_measurable(const mesh::Report& report) {
+  return report.count(mesh::Kind::not_finite) == 0 && report.count(mesh::Kind::index_out_of_range) == 0;
+}
+
+/// Adds what surfaces bound a solid without fatal findings.
+void describe_boundary(Result& result, const format::Soup& solid) {
+  const format::Soup boundary = mesh::repair(mesh::boundary_surface(solid)).soup;
+  const mesh::Report report = mesh::validate_surface(boundary, 1);
+  if (report.count(mesh::Severity::fatal) > 0) return;
+  const auto vertices = static_cast<int>(boundary.points.size());
+  Json types = Json::array();
+  std::vector<std::string> names;
+  constexpr std::size_t most_named = 20;
+  for (const SurfaceType& type : types_of(mesh::Surface(vertices, boundary.triangles))) {
+    types.push_back({{"type", type.str()}, {"genus", type.genus()}});
+    if (names.size() < most_named) names.push_back(type.str());
+  }
+  if (types.size() > names.size())
+    names.push_back("and " + std::to_string(types.size() - names.size()) + " more");
+  result.json["boundary"] = std::move(types);
+  result.json["components"] = mesh::component_count(solid);
+  result.text += "boundary: " + (names.empty() ? "none" : joined(names, ", ")) + "\n";
+}
+
 Result check(const Options& options, const Context& context) {
   format::Soup soup = read_soup(options.input, context);
   const bool is_surface = soup.tetrahedra.empty() && !soup.triangles.empty();
   Result result;
-  result.warnings = soup.warnings;
   Json repairs = Json::array();
-  if (options.repair) {
-    mesh::Repaired repaired = mesh::repair(std::move(soup));
-    soup = std::move(repaired.soup);
-    for (const std::string& done : repaired.done) {
-      repairs.push_back(done);
-      result.text += "repaired: " + done + "\n";
-    }
+  for (const std::string& done : mend(soup, options.doctor)) {
+    repairs.push_back(done);
+    result.text += "repaired: " + done + "\n";
   }
   const mesh::Report report =
       is_surface ? mesh::validate_surface(soup, options.listed) : mesh::validate(soup, options.listed);
@@ -129,7 +222,10 @@ Result check(const Options& options, const Context& context) {
                  counted(static_cast<long long>(elements), is_surface ? "triangle" : "tetrahedron") + " on " +
                  counted(static_cast<long long>(soup.points.size()), "vertex") +
                  (good ? ": a manifold\n" : ": no manifold\n");
-  if (is_surface && good) describe_surface(result, soup);
+  bool encloses = false;
+  if (is_surface && good) encloses = describe_surface(result, soup);
+  if (!is_surface && good && elements > 0) describe_boundary(result, soup);
+  if (elements > 0 && is_measurable(report)) describe_size(result, soup, encloses, most_worst);
   if (!options.output.empty()) {
     const auto format = format::mesh_format_for_extension(options.output);
     if (!format) throw InputError({options.output, 0}, "no mesh format has this extension");
@@ -147,8 +243,7 @@ Run declare_check(OptionTable& table) {
   table.add("--listed", options->listed, "number of findings of each kind to print in full")
       .in_range(0, 1'000'000)
       .with_default();
-  table.add("--repair", options->repair,
-            "first repair the mesh: orientation, duplicates, unused vertices, degenerate triangles");
+  declare_doctor(table, options->doctor);
   table.add("-o,--output", options->output, "write the mesh, repaired or not, in the format of the extension")
       .value_name("FILE");
   return [options](const Context& context) { return check(*options, context); };

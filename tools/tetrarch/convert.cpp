@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "command.hpp"
+#include "doctor.hpp"
 #include "input.hpp"
 #include "output.hpp"
+#include "text.hpp"
 
 #include "tetrarch/core/error.hpp"
 #include "tetrarch/format/mesh_files.hpp"
 #include "tetrarch/format/mesh_json.hpp"
 #include "tetrarch/format/read.hpp"
 #include "tetrarch/format/text.hpp"
+#include "tetrarch/mesh/boundary_surface.hpp"
 
 #include <filesystem>
 #include <memory>
@@ -19,6 +22,7 @@ struct Options {
   std::string input;
   std::string output;
   std::string to; ///< the name of a format; empty: as the extension says
+  Doctor doctor;
 };
 
 format::FileFormat target(const Options& options) {
@@ -30,12 +34,25 @@ format::FileFormat target(const Options& options) {
   return output_format(options.output);
 }
 
+bool holds_surfaces_only(format::MeshFormat format) {
+  return format == format::MeshFormat::obj || format == format::MeshFormat::off ||
+         format == format::MeshFormat::stl || format == format::MeshFormat::ply;
+}
+
 /// From mesh to mesh, without asking whether it is good for anything: `check` does.
 Result convert_mesh(const Options& options, format::MeshFormat to, const Context& context) {
   require_folder(options.output);
-  const format::Soup soup = read_soup(options.input, context);
+  format::Soup soup = read_soup(options.input, context);
   Result result;
-  result.warnings = soup.warnings;
+  result.warnings = mend(soup, options.doctor);
+  if (holds_surfaces_only(to) && !soup.tetrahedra.empty()) {
+    const auto tetrahedra = static_cast<long long>(soup.tetrahedra.size());
+    soup = mesh::boundary_surface(soup);
+    result.warnings.push_back("the boundary of " + counted(tetrahedra, "tetrahedron") + " was written, " +
+                              counted(static_cast<long long>(soup.triangles.size()), "triangle"));
+  }
+  if (const format::Ledger lost = format::not_held(soup, to); !lost.empty())
+    result.warnings.push_back(lost.sentence("not written"));
   result.json = {{"output", options.output},
                  {"format", format::name_of(to)},
                  {"tetrahedra", soup.tetrahedra.size()},
@@ -69,7 +86,6 @@ const format::MeshDocument* json_mesh(const Options& options, const Value& value
 Result convert_json_mesh(const Options& options, const format::MeshDocument& mesh) {
   require_folder(options.output);
   Result result;
-  result.warnings = mesh.soup.warnings;
   std::string text = write_mesh_json(mesh);
   if (options.output.empty()) {
     result.text = std::move(text);
@@ -93,12 +109,28 @@ void require_extension(const Options& options) {
                    "that it becomes: .json, .tri, .sig, .txt or .fmp)");
 }
 
+/// The value; of a mesh that is to stay one, mended.
+ValuePointer mended_value(const Options& options, const Context& context, std::vector<std::string>& done) {
+  ValuePointer value = read_value(options.input, context);
+  const auto* const mesh = std::get_if<format::MeshDocument>(value.get());
+  const bool asked = options.doctor.weld || options.doctor.component || options.doctor.repair;
+  if (mesh == nullptr || !asked) return value;
+  if (!mesh->fields.empty() || !mesh->hexahedra.empty())
+    throw InputError({options.input, 0}, "--weld, --component and --repair would part this mesh from what is "
+                                         "known at its vertices and elements");
+  format::Soup soup = mesh->soup;
+  done = mend(soup, options.doctor);
+  return std::make_shared<Value>(format::mesh_document_of(std::move(soup)));
+}
+
 Result convert(const Options& options, const Context& context) {
+  std::vector<std::string> mended;
   if (const auto to = format::mesh_format_for_extension(options.output); to && options.to.empty())
     return convert_mesh(options, *to, context);
-  const ValuePointer value = read_value(options.input, context);
+  const ValuePointer value = mended_value(options, context, mended);
   if (const format::MeshDocument* mesh = json_mesh(options, *value)) {
     Result result = convert_json_mesh(options, *mesh);
+    result.warnings.insert(result.warnings.begin(), mended.begin(), mended.end());
     result.value = value;
     return result;
   }
@@ -107,7 +139,8 @@ Result convert(const Options& options, const Context& context) {
   const format::FileFormat to = target(options);
   format::Written written = format::write_any(document, to);
   Result result;
-  result.warnings = document.warnings;
+  result.warnings = std::move(mended);
+  result.warnings.insert(result.warnings.end(), document.warnings.begin(), document.warnings.end());
   result.warnings.insert(result.warnings.end(), written.warnings.begin(), written.warnings.end());
   result.value = std::make_shared<Value>(document);
   if (options.output.empty()) {
@@ -135,6 +168,7 @@ Run declare_convert(OptionTable& table) {
            "the format, whatever the extension: json (triangulation), tri, sig, fmp, or mesh (JSON of a "
            "mesh); without -o, print to standard output")
       .one_of({"json", "tri", "sig", "fmp", "mesh"});
+  declare_doctor(table, options->doctor);
   return [options](const Context& context) { return convert(*options, context); };
 }
 

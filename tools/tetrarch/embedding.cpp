@@ -5,6 +5,8 @@
 #include "text.hpp"
 
 #include "tetrarch/core/error.hpp"
+#include "tetrarch/core/signature.hpp"
+#include "tetrarch/hyperbolic/search.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -12,15 +14,25 @@
 namespace tetrarch::program {
 namespace {
 
-/// Which command leads on from a triangulation without a structure.
-std::string way_out(hyperbolic::Outcome outcome, const std::string& input) {
-  switch (outcome) {
-  case hyperbolic::Outcome::projective_plane:
-  case hyperbolic::Outcome::invalid:
-    return {};
-  default:
-    return "; 'tetrarch hyperbolize " + input + " -o FILE.json' tries other triangulations of the manifold";
-  }
+/// Finds the structure as `hyperbolize` does, and takes the triangulation that carries it.
+void find_structure(Embedding& e, const std::string& input, const Context& context) {
+  hyperbolic::SearchOptions how;
+  how.seed = context.seed;
+  hyperbolic::Search found = hyperbolic::find_structure(e.tri, how, context.progress);
+  if (found.structure.outcome != hyperbolic::Outcome::geometric)
+    throw InputError({input, 0}, "there is no structure to embed: " +
+                                     describe(found.structure, Skeleton(found.triangulation)) + " (" +
+                                     describe(found) + ")");
+  if (found.filled_spheres > 0)
+    e.warnings.push_back(counted(found.filled_spheres, "boundary sphere") +
+                         " filled with balls: this is another manifold than the given one");
+  if (found.changed)
+    e.warnings.push_back("the structure was found on another triangulation, of " +
+                         counted(found.triangulation.size(), "tetrahedron") + ": " +
+                         signature(found.triangulation));
+  e.tri = std::move(found.triangulation);
+  e.skeleton = Skeleton(e.tri);
+  e.structure = std::move(found.structure);
 }
 
 std::string in_gigabytes(double bytes) {
@@ -36,12 +48,7 @@ Embedding embedded(const std::string& input, double cusp_area, const Context& co
   Embedding e{std::move(document.triangulation), Skeleton(Triangulation()), std::move(document.name), {}, {},
               std::move(document.warnings)};
   if (e.name.empty()) e.name = input;
-  e.skeleton = Skeleton(e.tri);
-  e.structure = hyperbolic::hyperbolize(e.tri, e.skeleton, {}, context.progress);
-  if (e.structure.outcome == hyperbolic::Outcome::stopped) throw Stopped();
-  if (e.structure.outcome != hyperbolic::Outcome::geometric)
-    throw InputError({input, 0}, "there is no structure to embed: " + describe(e.structure, e.skeleton) +
-                                     way_out(e.structure.outcome, input));
+  find_structure(e, input, context);
   e.domain = embed::fundamental_domain(e.tri, e.skeleton, e.structure, {cusp_area}, context.progress);
   return e;
 }

@@ -22,8 +22,8 @@ struct Embedding {
   std::vector<std::string> warnings;
 };
 
-/// Throws InputError where the triangulation as it stands carries no structure: the message names the command
-/// that finds one.
+/// The structure is searched for as `hyperbolize` does; where another triangulation carries it, that one is
+/// embedded, and a warning says so. Throws InputError where none is found.
 Embedding embedded(const std::string& input, double cusp_area, const Context& context);
 
 /// Throws InputError if `what` needs more bytes than so many gigabytes.

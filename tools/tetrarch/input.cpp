@@ -16,7 +16,6 @@
 #include "tetrarch/format/text.hpp"
 #include "tetrarch/identify/names.hpp"
 #include "tetrarch/mesh/fill.hpp"
-#include "tetrarch/mesh/repair.hpp"
 #include "tetrarch/mesh/tet_mesh.hpp"
 #include "tetrarch/workshop/info.hpp"
 
@@ -38,13 +37,8 @@ void add_remarks(const format::Soup& soup, const mesh::Report& report, std::vect
   }
 }
 
-format::Document triangulation_of(format::Soup soup, const Context& context, bool repair) {
-  std::vector<std::string> warnings = std::move(soup.warnings);
-  if (repair) {
-    mesh::Repaired repaired = mesh::repair(std::move(soup));
-    soup = std::move(repaired.soup);
-    warnings.insert(warnings.end(), repaired.done.begin(), repaired.done.end());
-  }
+format::Document triangulation_of(format::Soup soup, const Context& context, const Doctor& doctor) {
+  std::vector<std::string> warnings = mend(soup, doctor);
   if (soup.tetrahedra.empty() && !soup.triangles.empty()) {
     soup = mesh::fill(soup, context.progress);
     warnings.push_back("the surface was filled with " + std::to_string(soup.tetrahedra.size()) +
@@ -86,6 +80,11 @@ format::GroupDocument group_document(algebra::Presentation group, std::string na
 format::Document noted(format::Document document, const Context& context) {
   context.reads->passed_over.add(document.passed_over);
   return document;
+}
+
+format::Soup noted(format::Soup soup, const Context& context) {
+  context.reads->passed_over.add(soup.passed_over);
+  return soup;
 }
 
 /// The manifold of a name, "m004", or of a name with Dehn fillings, "m004(1,2)", which are passed over.
@@ -156,24 +155,25 @@ Value value_in(const std::string& text, const std::string& source) {
 } // namespace
 
 format::Document triangulation_of(const std::string& name, const Value& value, const Context& context,
-                                  bool repair) {
+                                  const Doctor& doctor) {
   if (const auto* document = std::get_if<format::Document>(&value)) return *document;
   if (const auto* mesh = std::get_if<format::MeshDocument>(&value))
-    return triangulation_of(mesh->soup, context, repair);
+    return triangulation_of(mesh->soup, context, doctor);
   refuse(name, value, "a triangulation");
 }
 
-format::Document read_triangulation(const std::string& argument, const Context& context, bool repair) {
+format::Document read_triangulation(const std::string& argument, const Context& context,
+                                    const Doctor& doctor) {
   const std::string given = bared(argument);
   context.reads->any = true;
   if (const Value* value = value_named(given, context))
-    return triangulation_of(given, *value, context, repair);
+    return triangulation_of(given, *value, context, doctor);
   if (!is_file(given)) return noted(given_document(given), context);
   std::string text;
   std::optional<format::MeshDocument> mesh = mesh_in(given, text);
   if (!mesh) return noted(format::read_any(text, format::source_name(given)), context);
   text = std::string();
-  return triangulation_of(std::move(mesh->soup), context, repair);
+  return triangulation_of(noted(std::move(mesh->soup), context), context, doctor);
 }
 
 format::Soup read_soup(const std::string& argument, const Context& context) {
@@ -190,7 +190,7 @@ format::Soup read_soup(const std::string& argument, const Context& context) {
   const std::string path = located(argument);
   format::Soup soup = format::read_soup_file(path);
   if (path != argument) soup.source = argument;
-  return soup;
+  return noted(std::move(soup), context);
 }
 
 std::vector<LocatedGroup> read_groups(const std::string& argument, const Context& context, bool as_given) {
@@ -224,6 +224,8 @@ ValuePointer read_value(const std::string& argument, const Context& context) {
   const auto made = [&context](Value value) {
     if (const auto* document = std::get_if<format::Document>(&value))
       context.reads->passed_over.add(document->passed_over);
+    else if (const auto* mesh = std::get_if<format::MeshDocument>(&value))
+      context.reads->passed_over.add(mesh->soup.passed_over);
     return std::make_shared<Value>(std::move(value));
   };
   if (is_group(given)) return made(value_in(given, given_group));

@@ -6,6 +6,7 @@
 /// decorated or not; or a mesh: of tetrahedra, or a closed surface, which TetGen fills.
 
 #include "command.hpp"
+#include "doctor.hpp"
 
 #include "tetrarch/algebra/group.hpp"
 #include "tetrarch/format/document.hpp"
@@ -18,14 +19,15 @@
 namespace tetrarch::program {
 
 /// Tried in this order: the name of a value, `-`, an existing file, an element of one, JSON spelled out, the
-/// name of a manifold, a signature. `repair` mends in a mesh what can be mended. What is passed over is noted
+/// name of a manifold, a signature. `doctor` mends a mesh first. What is passed over is noted
 /// in `context.reads`. Throws InputError that says what was tried and what names are near; of a bad mesh,
 /// what is wrong and where.
-format::Document read_triangulation(const std::string& argument, const Context& context, bool repair = false);
+format::Document read_triangulation(const std::string& argument, const Context& context,
+                                    const Doctor& doctor = {});
 
 /// The triangulation that a value is or becomes; `name` is what errors call it.
 format::Document triangulation_of(const std::string& name, const Value& value, const Context& context,
-                                  bool repair = false);
+                                  const Doctor& doctor = {});
 
 /// The same where a mesh or a surface is expected, as it stands in its file.
 format::Soup read_soup(const std::string& argument, const Context& context);

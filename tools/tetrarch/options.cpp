@@ -98,6 +98,11 @@ Option& Option::takes(int count) {
   return *this;
 }
 
+Option& Option::may_stand_alone(std::string value_alone) {
+  implied = std::move(value_alone);
+  return *this;
+}
+
 bool Option::repeats() const {
   return std::visit([](auto* variable) { return IsVector<std::remove_pointer_t<decltype(variable)>>::value; },
                     target);

@@ -45,6 +45,7 @@ struct Option {
   std::string excluded; ///< the option that must not be given besides; empty: none
   std::string group;    ///< the heading under which help lists it; empty: the command's own options
   int words = 1;        ///< that follow the option each time
+  std::string implied;  ///< the value where none follows that is a number; empty: one must follow
   bool is_required = false;
   bool shows_default = false;
 
@@ -57,6 +58,8 @@ struct Option {
   Option& positive();
   Option& excludes(std::string other);
   Option& takes(int count);
+  /// The option may stand without its number; then the value is this.
+  Option& may_stand_alone(std::string value_alone);
 
   bool is_argument() const { return !names.front().starts_with('-'); }
   bool is_flag() const { return std::holds_alternative<bool*>(target); }

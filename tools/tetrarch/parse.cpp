@@ -7,6 +7,7 @@
 #include "version.hpp"
 
 #include "tetrarch/core/error.hpp"
+#include "tetrarch/format/text.hpp"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -106,6 +107,17 @@ void require_known_options(const Named& command, const std::vector<std::string>&
   }
 }
 
+/// Puts the implied value behind an option that stands without its number.
+std::vector<std::string> with_implied_values(std::vector<std::string> words, const OptionTable& options) {
+  for (std::size_t k = 0; k < words.size() && words[k] != "--"; ++k) {
+    const Option* const option = words[k].starts_with('-') ? options.find(words[k]) : nullptr;
+    if (option == nullptr || option->implied.empty()) continue;
+    if (k + 1 < words.size() && format::parse_double(words[k + 1])) continue;
+    words.insert(words.begin() + static_cast<std::ptrdiff_t>(k) + 1, option->implied);
+  }
+  return words;
+}
+
 /// What words say that name no command: everything, or a group such as `census`.
 std::string text_without_command(const Named& named, const std::vector<std::string>& words,
                                  const std::vector<Command>& table, const std::string& program) {
@@ -132,8 +144,9 @@ Parsed parse(const std::vector<std::string>& words, const std::vector<Command>& 
   const auto line = std::make_shared<CommandLine>(*named.command, program, defaults);
   require_known_options(named, words, line->options);
   try {
+    const std::vector<std::string> all = with_implied_values(words, line->options);
     std::vector<std::string> reversed; // words are taken from the back
-    std::transform(words.rbegin(), words.rend() - static_cast<std::ptrdiff_t>(named.words),
+    std::transform(all.rbegin(), all.rend() - static_cast<std::ptrdiff_t>(named.words),
                    std::back_inserter(reversed), shielded);
     line->app.parse(std::move(reversed));
   } catch (const CLI::CallForHelp&) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "command.hpp"
+#include "doctor.hpp"
 #include "in_file.hpp"
 #include "input.hpp"
 #include "output.hpp"
@@ -44,7 +45,7 @@ struct Options {
   int cells = 4;
   std::string weights = "auto";
   bool anyway = false;
-  bool repair = false;
+  Doctor doctor;
 };
 
 void check(const Options& options) {
@@ -66,21 +67,22 @@ void check(const Options& options) {
 
 format::Soup read(const Options& options, Report& report, const Context& context) {
   format::Soup soup = read_soup(options.input, context);
-  report.warnings = soup.warnings;
-  if (!options.repair) return soup;
-  mesh::Repaired repaired = mesh::repair(std::move(soup));
-  report.warnings.insert(report.warnings.end(), repaired.done.begin(), repaired.done.end());
-  return std::move(repaired.soup);
+  for (std::string& done : mend(soup, options.doctor)) report.warnings.push_back(std::move(done));
+  // A point that no tetrahedron names has no place in the system of equations.
+  mesh::Repaired used = mesh::without_unused(std::move(soup));
+  report.warnings.insert(report.warnings.end(), used.done.begin(), used.done.end());
+  return std::move(used.soup);
 }
 
 /// Tetrahedra without volume are told by the numbers and lines of the file.
 void refuse_volumes(const format::Soup& soup, const mesh::Report& report) {
   const auto bad = [](const mesh::Finding& f) {
-    return f.kind == mesh::Kind::inverted || f.kind == mesh::Kind::flat;
+    return f.kind == mesh::Kind::inverted || f.kind == mesh::Kind::folded || f.kind == mesh::Kind::flat;
   };
   const auto found = std::find_if(report.findings.begin(), report.findings.end(), bad);
   if (found == report.findings.end()) return;
-  const std::int64_t count = report.count(mesh::Kind::inverted) + report.count(mesh::Kind::flat);
+  const std::int64_t count =
+      report.count(mesh::Kind::inverted) + report.count(mesh::Kind::folded) + report.count(mesh::Kind::flat);
   throw InputError(
       mesh::place_of(*found, soup),
       found->text + (count > 1 ? ", and " + std::to_string(count - 1) + " more of this kind" : "") +
@@ -353,8 +355,7 @@ Run declare_product(OptionTable& table) {
            "write tetrahedra or hexahedra with their data (.json, .vtu, .mesh), the surface with fibers "
            "(.glb, .ply, .obj), or a page with solid and domain (.html); may be repeated")
       .value_name("FILE");
-  table.add("--repair", o->repair,
-            "first repair the mesh: orientation, duplicates, unused vertices, degenerate triangles");
+  declare_doctor(table, o->doctor);
   return [o](const Context& context) { return run_product(*o, context); };
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "command.hpp"
+#include "doctor.hpp"
 #include "output.hpp"
 #include "slit_openings.hpp"
 #include "text.hpp"
@@ -27,7 +28,7 @@ struct Options {
   std::string average;
   bool unflip = false;
   bool as_placed = false;
-  bool repair = false;
+  Doctor doctor;
 };
 
 bool is_json(const std::string& path) {
@@ -39,8 +40,8 @@ struct Input {
   std::vector<mesh::BoundaryLoop> loops;
 };
 
-Input read(const std::string& path, bool repair, Result& result, const Context& context) {
-  const SurfaceInput input = read_surface(path, context, repair);
+Input read(const std::string& path, const Doctor& doctor, Result& result, const Context& context) {
+  const SurfaceInput input = read_surface(path, context, doctor);
   result.warnings.insert(result.warnings.end(), input.warnings.begin(), input.warnings.end());
   Input read{opened(input, {}, {}), {}};
   read.loops = mesh::boundary_loops(read.surface.mesh);
@@ -146,8 +147,8 @@ Result run_register(const Options& options, const Context& context) {
           "this command writes no file with this extension (expected .json, .obj, .ply, .vtu or .glb)");
   }
   Result result;
-  const Input first = read(options.first, options.repair, result, context);
-  const Input second = read(options.second, options.repair, result, context);
+  const Input first = read(options.first, options.doctor, result, context);
+  const Input second = read(options.second, options.doctor, result, context);
   if (first.loops.size() != second.loops.size())
     throw InputError({options.second, 0},
                      "has " + counted(static_cast<long long>(second.loops.size()), "boundary loop") +
@@ -202,8 +203,7 @@ Run declare_register(OptionTable& table) {
       .value_name("FILE");
   table.add("--average", o->average, "write the shape halfway between the two surfaces, in the same formats")
       .value_name("FILE");
-  table.add("--repair", o->repair,
-            "first repair the mesh: orientation, duplicates, unused vertices, degenerate triangles");
+  declare_doctor(table, o->doctor);
   return [o](const Context& context) { return run_register(*o, context); };
 }
 

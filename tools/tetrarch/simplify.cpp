@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "command.hpp"
+#include "doctor.hpp"
 #include "info.hpp"
 #include "input.hpp"
 #include "output.hpp"
@@ -21,7 +22,7 @@ struct Options {
   std::string input;
   std::string output;
   std::string log;
-  bool repair = false;
+  Doctor doctor;
   bool audit = false;
   bool keep_spheres = false;
   bool keep_boundary = false;
@@ -31,8 +32,7 @@ void declare_shared(OptionTable& table, Options& options) {
   table.add("-o,--output", options.output, "the file to write (its extension names the format)")
       .value_name("FILE");
   table.add("--moves", options.log, "write a log of all moves to this file, one per line").value_name("FILE");
-  table.add("--repair", options.repair,
-            "first repair the mesh: orientation, duplicates, unused vertices, degenerate triangles");
+  declare_doctor(table, options.doctor);
   table.add("--audit", options.audit,
             "compare the triangulation with one built from nothing after every 1,000th move; slow");
 }
@@ -74,7 +74,7 @@ std::function<void(const moves::Complex&)> auditor(const Triangulation& input) {
 Job prepare(const Options& options, const Context& context) {
   if (!options.output.empty()) output_format(options.output);
   require_folder(options.log);
-  Job run{read_triangulation(options.input, context, options.repair), {}, {}};
+  Job run{read_triangulation(options.input, context, options.doctor), {}, {}};
   require_manifolds(run.input.triangulation, options.input);
   run.simplify.seed = context.seed;
   if (options.audit) run.simplify.audit = auditor(run.input.triangulation);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "command.hpp"
+#include "doctor.hpp"
 #include "in_file.hpp"
 #include "output.hpp"
 #include "slit_openings.hpp"
@@ -41,7 +42,7 @@ struct Options {
   int stage = -1;
   int basis = -1;
   int quads = 0;
-  bool repair = false;
+  Doctor doctor;
 
   bool is_circular() const { return domain == "circular"; }
   bool is_ricci() const { return method == "ricci"; }
@@ -261,7 +262,7 @@ Result run_fingerprint(const mesh::OpenedMesh& surface, const std::vector<mesh::
   report.add(fingerprint_report(own, slits));
   Result result;
   if (!options.distance.empty()) {
-    const SurfaceInput input = read_surface(options.distance, context, options.repair);
+    const SurfaceInput input = read_surface(options.distance, context, options.doctor);
     const mesh::OpenedMesh other = opened(input, {}, context.progress);
     const auto other_loops = mesh::boundary_loops(other.mesh);
     check_type(other.mesh.surface, options);
@@ -334,7 +335,7 @@ std::string file(const std::string& path, const Made& made, const Options& optio
 
 Result run_slit(const Options& options, const Context& context) {
   check(options);
-  const SurfaceInput input = read_surface(options.input, context, options.repair);
+  const SurfaceInput input = read_surface(options.input, context, options.doctor);
   const mesh::OpenedMesh surface =
       in_file(options.input, [&] { return opened(input, options.openings, context.progress); });
   const std::vector<mesh::BoundaryLoop> loops = mesh::boundary_loops(surface.mesh);
@@ -429,8 +430,7 @@ Run declare_slit(OptionTable& table) {
            "write the surface with the domain as texture coordinates (.json, .obj, .vtu), the domain (.svg; "
            "as a surface, .glb or .ply), or a page with both side by side (.html); may be repeated")
       .value_name("FILE");
-  table.add("--repair", o->repair,
-            "first repair the mesh: orientation, duplicates, unused vertices, degenerate triangles");
+  declare_doctor(table, o->doctor);
   return [o](const Context& context) { return run_slit(*o, context); };
 }
 

@@ -7,7 +7,6 @@
 #include "tetrarch/core/error.hpp"
 #include "tetrarch/format/mesh_files.hpp"
 #include "tetrarch/format/text.hpp"
-#include "tetrarch/mesh/repair.hpp"
 
 #include <map>
 #include <utility>
@@ -62,18 +61,13 @@ std::string without_comments(std::string text) {
 
 } // namespace
 
-SurfaceInput read_surface(const std::string& argument, const Context& context, bool repair) {
+SurfaceInput read_surface(const std::string& argument, const Context& context, const Doctor& doctor) {
   SurfaceInput input;
   format::Soup soup = read_soup(argument, context);
   if (soup.triangles.empty())
     throw InputError({soup.source, 0}, "there are no triangles (expected a surface)");
   soup.tetrahedra.clear();
-  input.warnings = std::move(soup.warnings);
-  if (repair) {
-    mesh::Repaired repaired = mesh::repair(std::move(soup));
-    soup = std::move(repaired.soup);
-    for (const std::string& done : repaired.done) input.warnings.push_back("repaired: " + done);
-  }
+  for (const std::string& done : mend(soup, doctor)) input.warnings.push_back("repaired: " + done);
   input.labels = soup;
   input.labels.points = {};
   input.labels.triangles = {};

@@ -5,6 +5,7 @@
 /// and values for its boundary edges.
 
 #include "command.hpp"
+#include "doctor.hpp"
 
 #include "tetrarch/bundle/cutting_pattern.hpp"
 #include "tetrarch/mesh/triangle_mesh.hpp"
@@ -20,8 +21,8 @@ struct SurfaceInput {
   std::vector<std::string> warnings;
 };
 
-/// Throws InputError that names what is wrong and where; `repair` mends what can be mended first.
-SurfaceInput read_surface(const std::string& argument, const Context& context, bool repair);
+/// Throws InputError that names what is wrong and where; `doctor` mends what can be mended first.
+SurfaceInput read_surface(const std::string& argument, const Context& context, const Doctor& doctor);
 
 /// One value for each of `bundle::boundary_sides`, from a text of lines "u v value": the boundary edge on
 /// vertices u and v, by the numbers of the surface's file, has value +1 or -1 in the direction from u to v.

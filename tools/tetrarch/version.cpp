@@ -5,6 +5,8 @@
 #include <Eigen/Core>
 #include <boost/version.hpp>
 #include <gmp.h>
+#include <lz4.h>
+#include <lzma.h>
 #include <mpfr.h>
 #include <nlohmann/json.hpp>
 #include <pugixml.hpp>
@@ -46,7 +48,8 @@ std::string version_text() {
          dotted(NLOHMANN_JSON_VERSION_MAJOR, NLOHMANN_JSON_VERSION_MINOR, NLOHMANN_JSON_VERSION_PATCH) +
          ", CLI11 " CLI11_VERSION ", pugixml " +
          dotted(PUGIXML_VERSION / 1000, PUGIXML_VERSION / 10 % 100, PUGIXML_VERSION % 10) + ", zlib " +
-         zlibVersion() + optional_libraries();
+         zlibVersion() + ", LZ4 " + LZ4_versionString() + ", liblzma " + lzma_version_string() +
+         optional_libraries();
 }
 
 } // namespace tetrarch::program

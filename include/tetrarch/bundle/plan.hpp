@@ -45,7 +45,9 @@ struct Plan {
 
 /// The recipe, or the reason why the boundary values allow none. The surface loses its marks. Throws
 /// `PreconditionError` if it is not connected, if the resolution is less than 1, or if the surface can have
-/// no Euler number or no boundary values but gets some. Near-linear, times the genus.
-[[nodiscard]] std::variant<Plan, Obstruction> plan(mesh::MarkedSurface surface, const PlanOptions& options);
+/// no Euler number or no boundary values but gets some. Coordinates may be of any finite size. Near-linear,
+/// times the genus.
+[[nodiscard]] std::variant<Plan, Obstruction> plan(mesh::MarkedSurface surface, const PlanOptions& options,
+                                                   const Progress& progress = {});
 
 } // namespace tetrarch::bundle

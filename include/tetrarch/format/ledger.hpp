@@ -32,7 +32,7 @@ public:
   /// In the order in which they were first noted.
   const std::vector<Entry>& entries() const { return entries_; }
   /// "passed over: text packet (3), script packet"; empty if there is nothing to say.
-  std::string sentence() const;
+  std::string sentence(std::string_view beginning = "passed over") const;
   friend bool operator==(const Ledger&, const Ledger&) = default;
 
 private:

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
-/// MEDIT's mesh files (`.mesh`), which TetGen, Gmsh and most mesh generators write.
+/// MEDIT's mesh files (`.mesh`, binary `.meshb`), which TetGen, Gmsh and most mesh generators write.
 ///
 ///     MeshVersionFormatted 2
 ///     Dimension 3
@@ -15,13 +15,15 @@
 ///     ...
 ///     Tetrahedra
 ///     1
-///     1 2 3 4 0
+///     1 2 3 4 0                four vertices and a reference: its tag
 ///     End                      may be missing
 ///
-/// A keyword that is none of these is passed over with the numbers after it (edges, corners, normals, ...),
-/// quadrilaterals with a warning; volume elements other than tetrahedra are refused, since the rest would be
-/// another solid. "#" begins a comment. Coordinates of dimension 2 are refused, as is the binary form
-/// (`.meshb`). Source: Frey, "MEDIT: an interactive mesh visualization software" (INRIA RT-0253, 2001).
+/// Quadrilaterals, pyramids, prisms and hexahedra are cut, elements of second order ("TetrahedraP2") read by
+/// their corners. A keyword that is none of these is passed over with the numbers after it (edges, corners,
+/// normals, ...); the ledger counts all that. In dimension 2, points have two coordinates, and z is 0. "#"
+/// begins a comment. The binary form is that of libMeshb, versions 1 to 4, of either byte order.
+/// Sources: Frey, "MEDIT: an interactive mesh visualization software" (INRIA RT-0253, 2001); the manual of
+/// libMeshb (Marechal).
 
 #include "tetrarch/format/soup.hpp"
 
@@ -34,7 +36,9 @@ namespace tetrarch::format {
 
 /// Throws InputError. O(length).
 Soup read_medit(std::string_view text, const std::string& source);
-/// The references of triangles are their tags; all others are 0. O(size).
+/// Whether `text` begins as the binary form does: the integer 1, then a version, in either byte order.
+bool is_binary_medit(std::string_view text);
+/// Text. The references of triangles and tetrahedra are their tags, those of vertices 0. O(size).
 std::string write_medit(const Soup& soup);
 
 /// Hexahedra alone: vertices bottom counterclockwise from above, then top likewise, which is the order of

@@ -5,11 +5,11 @@
 ///
 /// | format | extension  | holds       | begins with                            |
 /// | ------ | ---------- | ----------- | -------------------------------------- |
-/// | medit  | .mesh      | both        | MeshVersionFormatted                   |
-/// | gmsh   | .msh       | both        | $MeshFormat                            |
-/// | tetgen | .node .ele | tetrahedra  | numbers: known by its extension only   |
+/// | medit  | .mesh .meshb | both      | MeshVersionFormatted, or 1 as bytes    |
+/// | gmsh   | .msh       | both        | $MeshFormat, $Comments or $NOD         |
+/// | tetgen | .node .ele | both        | numbers: known by its extension only   |
 /// | vtk    | .vtk       | both        | # vtk DataFile                         |
-/// | vtu    | .vtu       | both        | <VTKFile, within the first kilobytes   |
+/// | vtu    | .vtu .vtp  | both        | <VTKFile, within the first kilobytes   |
 /// | obj    | .obj       | a surface   | v, vn, vt, o, g, mtllib or usemtl      |
 /// | off    | .off       | a surface   | OFF, COFF, NOFF and the like           |
 /// | stl    | .stl       | a surface   | solid, or the length says so (binary)  |
@@ -53,7 +53,9 @@ Soup read_soup_file(const std::string& path);
 /// format for surfaces would be left empty, and for TetGen's format, which is two texts.
 /// O(size).
 std::string write_soup(const Soup& soup, MeshFormat format);
-/// Writes to `path`, and with it to the other one of TetGen's two files, by the extension of `path`. Each
+/// What of a soup the format cannot hold.
+Ledger not_held(const Soup& soup, MeshFormat format);
+/// Writes to `path`, and with it to the others of TetGen's files, by the extension of `path`. Each
 /// file appears whole or not at all. Throws InputError, also for an extension that is not known.
 void write_soup_file(const Soup& soup, const std::string& path);
 

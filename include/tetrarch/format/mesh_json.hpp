@@ -14,6 +14,7 @@
 ///       "triangles": [ [0, 1, 2], ... ],
 ///       "triangle_tags": [ 1, ... ],
 ///       "tetrahedra": [ [0, 1, 2, 3], ... ],
+///       "tetrahedron_tags": [ 1, ... ],
 ///       "hexahedra": [ [0, 1, 2, 3, 4, 5, 6, 7], ... ],
 ///       "fields": [
 ///         { "name": "angle", "on": "vertices", "values": [ 0.25, ... ] },
@@ -22,9 +23,9 @@
 ///       "provenance": { ... }
 ///     }
 ///
-/// Only format, version and vertices must be there. A tag says to which patch a triangle belongs; a
-/// hexahedron names its bottom, then its top, both counter-clockwise from above. Entries of arrays stand one
-/// a line.
+/// Only format, version and vertices must be there. A tag says to which patch a triangle, or to
+/// which region a tetrahedron belongs; a hexahedron names its bottom, then its top, both counter-clockwise
+/// from above. Entries of arrays stand one a line.
 ///
 /// Indices count from 0 and are in range. A field has one entry for each thing that it is on: corners of
 /// triangles count 3 t + c, of tetrahedra 4 t + c. An entry is a number, or an array of two or three of them,

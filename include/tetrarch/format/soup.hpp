@@ -10,9 +10,11 @@
 /// Every element remembers the number that the file calls it by and the line it stands on, so that whoever
 /// finds a fault can name the place. Indices count from 0 here, whatever the file counts from; nothing is
 /// checked but that they are integers. A soup of n tetrahedra takes 16 bytes for each, 24 for each point, 12
-/// for each triangle (16 with its tag); numbers and lines take next to nothing, as they are kept as runs.
+/// for each triangle, and 4 for each tag; numbers and lines take next to nothing, as they are kept as runs.
+/// Polygons are cut into triangles and other volume cells into tetrahedra as they are read.
 
 #include "tetrarch/core/error.hpp"
+#include "tetrarch/format/ledger.hpp"
 
 #include <array>
 #include <cstddef>
@@ -65,13 +67,15 @@ struct Soup {
   /// Of each triangle, the patch that the file counts it to: MEDIT's reference, Gmsh's physical group (or,
   /// without one, its surface). Empty if the file has none, or 0 everywhere.
   std::vector<int> triangle_tags;
+  /// Of each tetrahedron, the region that the file counts it to; likewise.
+  std::vector<int> tetrahedron_tags;
   Labels point_labels;
   Labels tetrahedron_labels;
   Labels triangle_labels;
   /// What the file counts from; tells what an index out of range was in the file.
   int first_number = 0;
-  /// What the reader passed over that somebody may miss, as sentences.
-  std::vector<std::string> warnings;
+  /// What stands in the file and is not here, or not as it stands there.
+  Ledger passed_over;
 };
 
 /// The number that the file calls point `index` by, in range or not.

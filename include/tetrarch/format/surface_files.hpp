@@ -10,14 +10,15 @@
 ///     f 1 3 2            ...                vertex 0 0 0             property double x
 ///     f 1/5/2 2 4        3 0 2 1            ...                      ...
 ///
-/// OBJ counts points from 1, or from the last one backwards as -1; texture and normal numbers, names and
-/// materials are passed over. OFF: also COFF, NOFF, STOFF and the like, whose extra numbers are passed over.
-/// STL, text or binary (little-endian), has no points but corners: those of equal coordinates become one
-/// point. PLY: text or binary of either order; elements and properties other than the points' x, y, z and the
-/// faces' list of vertices are passed over. A face of more than three corners is refused: there is more than
-/// one way to cut it.
-/// Sources: Wavefront's OBJ specification; the Geomview manual, "OFF files"; Burns, "Automated Fabrication",
-/// section 6.5 (STL); Turk, "The PLY polygon file format" (1994).
+/// OBJ counts points from 1, or from the last one backwards as -1; a backslash at the end of a line goes on
+/// with the next. OFF: also COFF, NOFF, STOFF and the like, BINARY, with the counts glued to the head,
+/// without the head or the number of edges. STL, text or binary (little-endian), has no points but corners:
+/// those of equal coordinates become one point; several solids in one text are patches, whose tags count from
+/// 0; keywords may be in capitals, the last solid may lack its end. PLY: text or binary of either order;
+/// faces are lists vertex_indices or vertex_index, triangle strips are read too. Polygons are cut into
+/// triangles. What else is there (normals, colors, names, materials, other elements and properties) is
+/// counted in the ledger. Sources: Wavefront's OBJ specification; the Geomview manual, "OFF files"; Burns,
+/// "Automated Fabrication", section 6.5 (STL); Turk, "The PLY polygon file format" (1994).
 
 #include "tetrarch/format/soup.hpp"
 

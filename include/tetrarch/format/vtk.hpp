@@ -2,7 +2,7 @@
 #pragma once
 
 /// VTK's mesh files: the legacy form (`.vtk`, text or binary) and the XML form of unstructured grids
-/// (`.vtu`).
+/// (`.vtu`) and surfaces (`.vtp`).
 ///
 ///     # vtk DataFile Version 3.0          <VTKFile type="UnstructuredGrid" byte_order="LittleEndian">
 ///     a title                             <UnstructuredGrid>
@@ -16,11 +16,13 @@
 ///     10                                  </Piece></UnstructuredGrid></VTKFile>
 ///
 /// Legacy: binary numbers are big-endian; version 5 has OFFSETS and CONNECTIVITY below CELLS; DATASET
-/// POLYDATA with POLYGONS is a surface. XML: arrays are text, base64, or appended (raw or base64), not
-/// compressed or by zlib (other compressors are refused). Points and cells are counted from 0; in XML, lines
-/// are not known. Cells of dimension 0 and 1 are passed over, other surface cells than triangles with a
-/// warning; volume cells other than tetrahedra of four points are refused, since the rest would be another
-/// solid. Source: "VTK File Formats", the VTK user's guide (Kitware).
+/// POLYDATA with POLYGONS and TRIANGLE_STRIPS is a surface. XML: arrays are text, base64, or appended (raw or
+/// base64), not compressed or by zlib, LZ4 or LZMA; PolyData (`.vtp`) is a surface; several pieces follow
+/// each other, each with its own points. Points and cells are counted from 0; in XML, lines are not known.
+/// Polygons, strips and volume cells of other shapes are cut, cells of higher order read by their corners;
+/// polyhedra are refused. Tags are the numbers of an array of cells called "label", or as meshio, Gmsh and
+/// others call it ("gmsh:physical", "medit:ref", "CellEntityIds", "region"). The ledger counts all the rest.
+/// Source: "VTK File Formats", the VTK user's guide (Kitware).
 
 #include "tetrarch/format/soup.hpp"
 
@@ -33,7 +35,7 @@ namespace tetrarch::format {
 Soup read_vtk(std::string_view text, const std::string& source);
 Soup read_vtu(std::string_view text, const std::string& source);
 
-/// Version 3.0, text. O(size).
+/// Version 3.0, text. Tags become an array "label" of the cells. O(size).
 std::string write_vtk(const Soup& soup);
 /// All arrays as text. O(size).
 std::string write_vtu(const Soup& soup);

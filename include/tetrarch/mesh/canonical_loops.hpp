@@ -24,6 +24,7 @@
 /// Source: Yin, section 7.1 (what is to be found; it does not say how); Erickson and Har-Peled, "Optimally
 /// cutting a surface into a disk" (2004) (the cut locus).
 
+#include "tetrarch/core/progress.hpp"
 #include "tetrarch/mesh/marked_surface.hpp"
 
 #include <string>
@@ -40,9 +41,10 @@ struct CanonicalLoops {
 
 /// Marks canonical loops 1 to 2g on a closed oriented surface without marks, through vertex `base`, or
 /// through a vertex with short loops if there is no `base`. Throws `PreconditionError` unless the surface is
-/// connected, closed, unmarked and of positive genus, and no mates are turned. O(g^2 n log n) for n triangles
-/// in the end.
-CanonicalLoops mark_canonical_loops(MarkedSurface& surface, int base = -1);
+/// connected, closed, unmarked and of positive genus, and no mates are turned. Reports handles, and stops
+/// between searches. Some five searches for each handle, O(g n log n) for n triangles in the end; n itself
+/// grows by up to some ten splits for each triangle and ten handles.
+CanonicalLoops mark_canonical_loops(MarkedSurface& surface, int base = -1, const Progress& progress = {});
 
 /// The boundary word of `cut_open(surface)`: one mark for each run of equal marks, from the first run of the
 /// least positive mark. Throws `PreconditionError` unless it has exactly one boundary curve and no mates are

@@ -14,6 +14,7 @@
 /// So the disk grows in rows. Among all rims from all seeds, the equator is one that halves the triangles as
 /// evenly as its number of edges allows, or a shorter one that is a little less even.
 
+#include "tetrarch/core/progress.hpp"
 #include "tetrarch/mesh/marked_surface.hpp"
 
 #include <array>
@@ -31,7 +32,7 @@ struct Equator {
 /// vertex; the bank of mark +1 belongs to the disk of triangle 0. If the curve has fewer edges, some are
 /// split. It has more edges if the search found no shorter curve: on a simplicial mesh every curve has at
 /// least three. Throws `PreconditionError` unless the surface is a sphere without marks. `seeds` triangles
-/// are tried, far from each other. O(seeds * n log n).
-Equator mark_equator(MarkedSurface& sphere, int edges, int seeds = 8);
+/// are tried, far from each other; a stop is heard between them. O(seeds * n log n).
+Equator mark_equator(MarkedSurface& sphere, int edges, int seeds = 8, const Progress& progress = {});
 
 } // namespace tetrarch::mesh

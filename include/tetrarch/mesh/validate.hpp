@@ -15,10 +15,19 @@
 /// | non_manifold_edge   | fatal      | the tetrahedra around an edge fall apart into several fans   |
 /// | non_manifold_vertex | fatal      | the link of a vertex on no such edge is neither sphere nor   |
 /// |                     |            | disk                                                         |
-/// | inverted            | repairable | the volume is negative, decided exactly                      |
+/// | inverted            | repairable | the volume is negative, decided exactly, and exchanging two  |
+/// |                     |            | vertices fits the tetrahedron to its component               |
+/// | folded              | remark     | it is inverted against its component, which no exchange      |
+/// |                     |            | mends: it lies over its neighbors                            |
 /// | flat                | remark     | the volume is zero, decided exactly                          |
 /// | unused_vertex       | repairable | a point is in no tetrahedron                                 |
+/// | coincident_vertex   | remark     | a used point has the coordinates of an earlier one           |
+/// | stray_triangle      | remark     | a triangle is no face of a tetrahedron                       |
 /// | several_components  | remark     | the tetrahedra are not all connected through faces           |
+///
+/// A component is oriented as its gluings say, with the sign by which its volume is positive. So a mesh whose
+/// tetrahedra are all negative is inverted, and one of a few negative tetrahedra among others that are not
+/// is folded there.
 ///
 /// A soup with fatal findings is no mesh. Duplicates, which are repairable, also break the promise of
 /// `TetMesh`; other findings are only reported. The checks of faces, edges and vertices leave out tetrahedra
@@ -48,13 +57,17 @@ enum class Kind : std::uint8_t {
   non_manifold_edge,
   non_manifold_vertex,
   inverted,
+  folded,
   turned,
   flat,
   not_orientable,
   unused_vertex,
+  coincident_vertex,
+  stray_triangle,
+  inside_out,
   several_components,
 };
-inline constexpr int kind_count = 16;
+inline constexpr int kind_count = 20;
 
 enum class Severity : std::uint8_t { fatal, repairable, remark };
 

@@ -16,6 +16,8 @@
 /// | flat                | remark     | the area is zero, decided exactly                                |
 /// | not_orientable      | remark     | a component is not orientable                                    |
 /// | unused_vertex       | repairable | a point is in no triangle                                        |
+/// | coincident_vertex   | remark     | a used point has the coordinates of an earlier one               |
+/// | inside_out          | remark     | a closed component in no other one encloses a negative volume    |
 /// | several_components  | remark     | the triangles are not all connected through edges                |
 ///
 ///        .---.---.       Two triangles may run along their edge in the same direction: one of them is turned

@@ -17,7 +17,8 @@ namespace tetrarch::show {
 
 /// The tetrahedra in space, solid torus beside solid torus, as cells with the data `triangle` (of the refined
 /// surface), `origin` (of the original surface), `level`, `disk`, and the texture coordinates (x, y) of the
-/// disk laid flat in the unit disk and w = level / N. With fewer than three levels the solid tori are flat.
+/// disk laid flat in the unit disk and w = level / N. All tetrahedra are positive. Where bending would invert
+/// some, as it does if N is 1 or 2, the tori are left upright, cut open at level 0.
 /// O(tetrahedra) and one factorization for each disk.
 scene::Scene solid_tori(const bundle::Plan& plan, const bundle::CircleBundle& bundle);
 
