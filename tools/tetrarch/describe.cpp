@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "describe.hpp"
 
-#include "nearest.hpp"
 #include "parse.hpp"
 #include "text.hpp"
 
 #include "tetrarch/core/error.hpp"
+#include "tetrarch/workshop/nearest.hpp"
 
 #include <algorithm>
 #include <array>
@@ -120,7 +120,7 @@ Named named_command(const std::vector<Command>& table, const std::vector<std::st
     const std::vector<std::string> expected = next_words(table, name);
     name += word;
     if (std::find(expected.begin(), expected.end(), word) == expected.end())
-      throw InputError("unknown command '" + name + "'" + did_you_mean(word, expected));
+      throw InputError("unknown command '" + name + "'" + workshop::did_you_mean(word, expected));
     at.name = std::move(name);
     const auto found =
         std::find_if(table.begin(), table.end(), [&at](const Command& c) { return c.name == at.name; });

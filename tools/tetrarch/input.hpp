@@ -12,6 +12,7 @@
 #include "tetrarch/format/document.hpp"
 #include "tetrarch/format/group_json.hpp"
 #include "tetrarch/format/soup.hpp"
+#include "tetrarch/workshop/open.hpp"
 
 #include <string>
 #include <vector>
@@ -56,20 +57,13 @@ algebra::Presentation presentation_of(const format::GroupDocument& group);
 /// Whatever it is: a mesh stays a mesh, any other text is a triangulation or a group ("< a, b | abAB >").
 ValuePointer read_value(const std::string& argument, const Context& context);
 
-/// Whether a word that begins with a dash is no option but a signature: those of 63 and more tetrahedra do.
-/// O(length).
-bool is_signature_with_dash(const std::string& word);
-/// The same word so that no option parser takes it for an option: a blank is put before the dash of a
+using workshop::is_signature_with_dash;
+/// The word so that no option parser takes it for an option: a blank is put before the dash of a
 /// signature, and of the "-#3" that is an element of standard input. The functions above take it away again.
 std::string shielded(const std::string& word);
 
-/// Throws InputError that names the first defect unless the triangulation is a manifold (with ideal vertices)
-/// of at least one tetrahedron.
-void require_manifolds(const Triangulation& tri, const std::string& source);
-/// The same, and unless it is connected.
-void require_manifold(const Triangulation& tri, const std::string& source);
-
-/// Throws InputError unless there is one component. O(n), without the classes that the above needs.
-void require_connected(const Triangulation& tri, const std::string& source);
+using workshop::require_connected;
+using workshop::require_manifold;
+using workshop::require_manifolds;
 
 } // namespace tetrarch::program

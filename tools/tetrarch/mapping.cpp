@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "mapping.hpp"
 
-#include "element.hpp"
+#include "samples.hpp"
 #include "text.hpp"
 
 #include "tetrarch/core/error.hpp"
 #include "tetrarch/format/text.hpp"
+#include "tetrarch/workshop/element.hpp"
 
 #include <algorithm>
 #include <array>
@@ -18,7 +19,7 @@ namespace {
 
 bool stands_for_all(const std::string& word) {
   if (!word.ends_with("#*")) return false;
-  const std::optional<FileElement> found = file_element(word);
+  const std::optional<workshop::FileElement> found = workshop::file_element(word, located);
   return found && found->element == "*";
 }
 
@@ -62,8 +63,8 @@ std::optional<Mapping> mapping_in(const std::vector<std::string>& words) {
   Mapping mapping{words, 0, {}, {}};
   mapping.at =
       static_cast<std::size_t>(std::find_if(words.begin(), words.end(), stands_for_all) - words.begin());
-  mapping.path = file_element(words[mapping.at])->path;
-  mapping.collection = read_collection(mapping.path);
+  mapping.path = workshop::file_element(words[mapping.at], located)->path;
+  mapping.collection = workshop::read_collection(mapping.path, located);
   require_many_outputs(mapping);
   return mapping;
 }

@@ -2,7 +2,6 @@
 #include "command.hpp"
 #include "info.hpp"
 #include "input.hpp"
-#include "nearest.hpp"
 #include "output.hpp"
 #include "text.hpp"
 
@@ -11,6 +10,7 @@
 #include "tetrarch/format/text.hpp"
 #include "tetrarch/moves/boundary_moves.hpp"
 #include "tetrarch/moves/log.hpp"
+#include "tetrarch/workshop/nearest.hpp"
 
 #include <algorithm>
 #include <array>
@@ -41,7 +41,7 @@ void require_known(const std::vector<std::string>& words) {
   const std::vector<std::string> names = moves::move_names();
   for (const std::string& word : words)
     if (!is_number(word) && std::find(names.begin(), names.end(), word) == names.end())
-      throw InputError("unknown move " + in_quotes(word) + did_you_mean(word, names));
+      throw InputError("unknown move " + in_quotes(word) + workshop::did_you_mean(word, names));
 }
 
 /// The moves in a row of words, each as `parse_move` has it.

@@ -3,11 +3,11 @@
 
 #include "describe.hpp"
 #include "input.hpp"
-#include "nearest.hpp"
 #include "version.hpp"
 
 #include "tetrarch/core/error.hpp"
 #include "tetrarch/format/text.hpp"
+#include "tetrarch/workshop/nearest.hpp"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -91,7 +91,7 @@ bool looks_like_option(const std::string& word) {
   const bool is_long = word[1] == '-';
   const std::string name = is_long ? word.substr(0, word.find('=')) : word.substr(0, 2);
   throw InputError("unknown option '" + name + "'" + (command.empty() ? "" : " of '" + command + "'") +
-                   did_you_mean(name, known));
+                   workshop::did_you_mean(name, known));
 }
 
 void require_known_options(const Named& command, const std::vector<std::string>& words,

@@ -15,6 +15,7 @@
 #include "tetrarch/show/quads.hpp"
 #include "tetrarch/show/slit.hpp"
 #include "tetrarch/slit/ricci.hpp"
+#include "tetrarch/workshop/element.hpp"
 
 #include <chrono>
 #include <memory>
@@ -163,7 +164,7 @@ Made make_disk(const mesh::OpenedMesh& surface, const Options& options) {
 
 /// The picture after so many openings instead of the circular domain.
 show::Layout stage_layout(const slit::OneForms& forms, const slit::SlitMap& map,
-                           const slit::CircularMap& circular, int stage) {
+                          const slit::CircularMap& circular, int stage) {
   const auto last = static_cast<int>(map.slits.size());
   if (stage > last)
     throw InputError("--stage " + std::to_string(stage) + ": the last stage is " + std::to_string(last) +

@@ -5,13 +5,6 @@
 
 namespace tetrarch::program {
 
-std::string kind_of(const Value& value) {
-  if (std::holds_alternative<format::Document>(value)) return "triangulation";
-  if (std::holds_alternative<format::GroupDocument>(value)) return "group";
-  const auto& mesh = std::get<format::MeshDocument>(value);
-  return mesh.soup.tetrahedra.empty() && mesh.hexahedra.empty() ? "surface" : "mesh";
-}
-
 bool is_name(std::string_view text) {
   const auto letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; };
   const auto inner = [&letter](char c) { return letter(c) || (c >= '0' && c <= '9'); };

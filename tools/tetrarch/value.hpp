@@ -3,9 +3,7 @@
 
 /// What a session can give a name to.
 
-#include "tetrarch/format/document.hpp"
-#include "tetrarch/format/group_json.hpp"
-#include "tetrarch/format/mesh_json.hpp"
+#include "tetrarch/workshop/open.hpp"
 
 #include <functional>
 #include <map>
@@ -16,15 +14,13 @@
 
 namespace tetrarch::program {
 
-/// A triangulation (with its metric, if it has one), a mesh or surface (with its fields), a group.
-using Value = std::variant<format::Document, format::MeshDocument, format::GroupDocument>;
+/// What the workshop opens.
+using Value = workshop::Content;
+using workshop::kind_of;
 
 /// Values never change; a name may come to mean another one.
 using ValuePointer = std::shared_ptr<const Value>;
 using Values = std::map<std::string, ValuePointer, std::less<>>;
-
-/// "triangulation", "mesh", "surface" or "group".
-std::string kind_of(const Value& value);
 
 /// A letter or underscore, then letters, digits, underscores.
 bool is_name(std::string_view text);

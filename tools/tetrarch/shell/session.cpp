@@ -3,7 +3,6 @@
 
 #include "../describe.hpp"
 #include "../input.hpp"
-#include "../nearest.hpp"
 #include "../samples.hpp"
 #include "../text.hpp"
 #include "value_text.hpp"
@@ -11,6 +10,7 @@
 
 #include "tetrarch/core/error.hpp"
 #include "tetrarch/format/text.hpp"
+#include "tetrarch/workshop/nearest.hpp"
 
 #include <algorithm>
 #include <fstream>
@@ -128,9 +128,10 @@ Status Session::execute(const Parts& statement, const std::string& speaker) {
     }
     Context context;
     context.values = &values_;
-    if (is_name(words[0]) && !values_.contains(words[0]) && !nearest(words[0], first_words(verbs_)).empty())
+    if (is_name(words[0]) && !values_.contains(words[0]) &&
+        !workshop::nearest(words[0], first_words(verbs_)).empty())
       throw InputError("unknown command or value '" + words[0] + "'" +
-                       did_you_mean(words[0], first_words(verbs_)));
+                       workshop::did_you_mean(words[0], first_words(verbs_)));
     words.insert(words.begin(), showing(*read_value(words[0], context)));
   }
   const Parsed parsed = parse(words, verbs_, "", defaults_);
@@ -243,7 +244,7 @@ void Session::require_value(const std::string& name) const {
   std::vector<std::string> names;
   names.reserve(values_.size());
   for (const auto& [known, value] : values_) names.push_back(known);
-  throw InputError("no value is called " + in_quotes(name) + did_you_mean(name, names));
+  throw InputError("no value is called " + in_quotes(name) + workshop::did_you_mean(name, names));
 }
 
 Result Session::list() const {

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-namespace tetrarch::program {
+namespace tetrarch::workshop {
 
 /// Of the candidates, the one that `word` most likely was meant to be; empty if none is near.
 /// O(length of the word times that of all candidates).
@@ -18,4 +18,4 @@ std::string near_names(std::string_view word, const std::vector<std::string>& ca
 /// " (did you mean 'info'?)", or nothing.
 std::string did_you_mean(std::string_view word, const std::vector<std::string>& candidates);
 
-} // namespace tetrarch::program
+} // namespace tetrarch::workshop

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "element.hpp"
+#include "tetrarch/workshop/element.hpp"
 
-#include "samples.hpp"
-
-#include "nearest.hpp"
-#include "text.hpp"
+#include "tetrarch/workshop/nearest.hpp"
+#include "tetrarch/workshop/text.hpp"
 
 #include "tetrarch/core/error.hpp"
 #include "tetrarch/format/read.hpp"
@@ -15,7 +13,7 @@
 #include <functional>
 #include <vector>
 
-namespace tetrarch::program {
+namespace tetrarch::workshop {
 namespace {
 
 /// The numbers, from 1, of the elements whose names fit.
@@ -54,20 +52,25 @@ std::size_t number_named(const format::Collection& collection, const std::string
 
 } // namespace
 
-bool is_file(const std::string& argument) {
-  std::error_code ignored;
-  return argument == "-" || std::filesystem::exists(located(argument), ignored);
+std::string located(const std::string& argument, Locate locate) {
+  return locate == nullptr ? argument : locate(argument);
 }
 
-std::optional<FileElement> file_element(const std::string& argument) {
-  if (is_file(argument)) return std::nullopt;
+bool is_file(const std::string& argument, Locate locate) {
+  std::error_code ignored;
+  return argument == "-" || std::filesystem::exists(located(argument, locate), ignored);
+}
+
+std::optional<FileElement> file_element(const std::string& argument, Locate locate) {
+  if (is_file(argument, locate)) return std::nullopt;
   for (std::size_t at = argument.find('#'); at != std::string::npos; at = argument.find('#', at + 1))
-    if (is_file(argument.substr(0, at))) return FileElement{argument.substr(0, at), argument.substr(at + 1)};
+    if (is_file(argument.substr(0, at), locate))
+      return FileElement{argument.substr(0, at), argument.substr(at + 1)};
   return std::nullopt;
 }
 
-format::Collection read_collection(const std::string& path) {
-  return format::read_all(format::read_file(located(path)), format::source_name(path));
+format::Collection read_collection(const std::string& path, Locate locate) {
+  return format::read_all(format::read_file(located(path, locate)), format::source_name(path));
 }
 
 format::Document chosen(format::Collection collection, const std::string& element,
@@ -84,4 +87,4 @@ format::Document chosen(format::Collection collection, const std::string& elemen
   return format::document_of(std::move(collection.elements[number - 1]), collection.passed_over);
 }
 
-} // namespace tetrarch::program
+} // namespace tetrarch::workshop

@@ -5,18 +5,25 @@
 ///
 ///     knots.rga#3          the third, counted from 1
 ///     knots.rga#fig8       the one called fig8
-///     knots.rga#*          all: the command runs once for each (mapping.hpp)
+///     knots.rga#*          all: what is to be done is done once for each
 
 #include "tetrarch/format/collection.hpp"
 
 #include <optional>
 #include <string>
 
-namespace tetrarch::program {
+namespace tetrarch::workshop {
+
+/// Where the file that an argument names lies, if not just there: for names such as "samples/torus.off".
+/// Null: each name is a path.
+using Locate = std::string (*)(const std::string&);
 
 /// Whether the argument is "-" or names what exists in the file system.
-bool is_file(const std::string& argument);
+bool is_file(const std::string& argument, Locate locate = nullptr);
+/// The argument as `locate` says.
+std::string located(const std::string& argument, Locate locate);
 
+/// A file and which of its triangulations is meant.
 struct FileElement {
   std::string path;
   std::string element; ///< "3", "fig8", "*"
@@ -24,14 +31,14 @@ struct FileElement {
 
 /// What stands before and after the first # before which a file is named. Nothing if there is none such, or
 /// if the whole argument is a file's name.
-std::optional<FileElement> file_element(const std::string& argument);
+std::optional<FileElement> file_element(const std::string& argument, Locate locate = nullptr);
 
 /// All triangulations of a file. Throws InputError as `format::read_all`.
-format::Collection read_collection(const std::string& path);
+format::Collection read_collection(const std::string& path, Locate locate = nullptr);
 
 /// The element that is meant: its number, else its name, else the only name that begins so. The ledger of the
 /// file is added to its own. Throws InputError that names `argument` if there is none or no telling which.
 format::Document chosen(format::Collection collection, const std::string& element,
                         const std::string& argument);
 
-} // namespace tetrarch::program
+} // namespace tetrarch::workshop

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "nearest.hpp"
+#include "tetrarch/workshop/nearest.hpp"
 
 #include <algorithm>
 #include <numeric>
 #include <utility>
 
-namespace tetrarch::program {
+namespace tetrarch::workshop {
 namespace {
 
 /// Optimal string alignment: insertions, deletions, replacements, swaps of neighbours.
@@ -61,4 +61,4 @@ std::string did_you_mean(std::string_view word, const std::vector<std::string>& 
   return near.empty() ? "" : " (did you mean '" + near + "'?)";
 }
 
-} // namespace tetrarch::program
+} // namespace tetrarch::workshop
