@@ -236,6 +236,10 @@ class Library(unittest.TestCase):
         run("cmake", "--build", build)
         self.assertEqual(run(build / "knotted_y", KNOTTED_Y), VOLUME + "\n")
         self.check_shared_object(build / "libvolume.so")
+        # The knotted Y of the dissertation, section 4.2.3, from its mesh: 5_3's exterior, the eighth manifold of the table.
+        told = run(build / "mesh_to_name", SOURCE / "tests/data/knotted_y_8k.mesh")
+        self.assertIn(f"volume: {VOLUME}\n", told)
+        self.assertIn("name: fmp2_8\n", told)
 
     def check_shared_object(self, file):
         """One of twenty lines, into which the static library went, as any other program may load it."""
