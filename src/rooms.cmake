@@ -64,6 +64,22 @@ function(link_headers name uses)
   endforeach()
 endfunction()
 
+# How all rooms are compiled. A static library, too, may end in somebody's shared object. Nobody replaces single functions of
+# ours there, so that calls between them may be inlined as ever. The same objects make a static and a shared library.
+function(compile_as_room target)
+  set_target_properties(${target} PROPERTIES POSITION_INDEPENDENT_CODE ON)
+  target_compile_options(${target} PRIVATE -fno-semantic-interposition)
+  target_link_libraries(${target} PRIVATE tetrarch_flags Boost::headers nlohmann_json::nlohmann_json tetrarch::mpfr
+                        tetrarch::gmp Threads::Threads)
+endfunction()
+
+if(TETRARCH_PRECOMPILE)
+  file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/no_room.cpp CONTENT "")
+  add_library(tetrarch_headers OBJECT ${PROJECT_BINARY_DIR}/no_room.cpp)
+  compile_as_room(tetrarch_headers)
+  target_precompile_headers(tetrarch_headers PRIVATE ${TETRARCH_STANDARD_HEADERS})
+endif()
+
 function(tetrarch_room name)
   cmake_parse_arguments(PARSE_ARGV 1 room "" "FLOOR" "PUBLIC;PRIVATE;LIBRARIES")
   if(DEFINED room_UNPARSED_ARGUMENTS)
@@ -81,12 +97,10 @@ function(tetrarch_room name)
   file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${name}/*.cpp)
   add_library(tetrarch_${name} OBJECT ${sources})
   target_include_directories(tetrarch_${name} PRIVATE ${rooms_folder}/${name})
-  # A static library, too, may end in somebody's shared object. Nobody replaces single functions of ours there, so that
-  # calls between them may be inlined as ever. The same objects make a static and a shared library.
-  set_target_properties(tetrarch_${name} PROPERTIES POSITION_INDEPENDENT_CODE ON)
-  target_compile_options(tetrarch_${name} PRIVATE -fno-semantic-interposition)
-  target_link_libraries(tetrarch_${name} PRIVATE tetrarch_flags Boost::headers nlohmann_json::nlohmann_json tetrarch::mpfr
-                        tetrarch::gmp Threads::Threads)
+  compile_as_room(tetrarch_${name})
+  if(TETRARCH_PRECOMPILE)
+    target_precompile_headers(tetrarch_${name} REUSE_FROM tetrarch_headers)
+  endif()
   foreach(library IN LISTS room_LIBRARIES)
     if(TARGET ${library})
       target_link_libraries(tetrarch_${name} PRIVATE ${library})
