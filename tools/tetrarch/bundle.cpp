@@ -17,8 +17,8 @@
 #include "tetrarch/format/text.hpp"
 #include "tetrarch/mesh/canonical_loops.hpp"
 #include "tetrarch/mesh/repair.hpp"
-#include "tetrarch/scene/bundle.hpp"
 #include "tetrarch/scene/files.hpp"
+#include "tetrarch/show/bundle.hpp"
 
 #include <memory>
 #include <numbers>
@@ -202,12 +202,12 @@ void add_outputs(Result& result, const Plan& plan, const bundle::CircleBundle& b
                  const format::Document& document, const std::vector<int>& index, const Options& options) {
   const auto scene_of = [&](const std::string& path) {
     const bool cells = format::has_extension(path, ".vtu") || plan.method == Plan::Method::disk;
-    if (options.show == "surface") return scene::cut_surface(plan, index);
-    return cells ? scene::solid_tori(plan, bundle) : scene::gluable_tori(plan);
+    if (options.show == "surface") return show::cut_surface(plan, index);
+    return cells ? show::solid_tori(plan, bundle) : show::gluable_tori(plan);
   };
   for (const std::string& path : options.outputs) {
     if (is_svg(path))
-      result.files.push_back({path, write_svg(scene::gluable_bands(plan))});
+      result.files.push_back({path, write_svg(show::gluable_bands(plan))});
     else if (const auto format = scene::scene_format_for_extension(path))
       result.files.push_back({path, write_scene(scene_of(path), *format)});
     else

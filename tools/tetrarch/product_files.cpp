@@ -5,7 +5,7 @@
 #include "tetrarch/format/text.hpp"
 #include "tetrarch/scene/files.hpp"
 #include "tetrarch/scene/page.hpp"
-#include "tetrarch/scene/product.hpp"
+#include "tetrarch/show/product.hpp"
 
 namespace tetrarch::program {
 namespace {
@@ -13,15 +13,15 @@ namespace {
 using scene::SceneFormat;
 
 scene::Scene hexahedra_scene(const SolidProduct& made, const std::string& title, SceneFormat format) {
-  scene::HexahedraData data{made.scaled_jacobian, {}};
+  show::HexahedraData data{made.scaled_jacobian, {}};
   // Where some are left out a layer has no fixed number of cells, and polycubes have none; then -1 is told.
   const std::size_t count = made.hexahedra->mesh.hexahedra.size();
   for (std::size_t k = 0; k < count; ++k)
     data.layer.push_back(made.cells > 0 && made.hexahedra->left_out == 0 ? static_cast<int>(k) / made.cells
                                                                          : -1);
   scene::Scene scene{title, {}, {}, {}, {}};
-  scene.cells.push_back(scene::hexahedra(made.hexahedra->mesh.points, made.hexahedra->mesh.hexahedra, data));
-  if (format != SceneFormat::vtu) scene.tubes.push_back(scene::outer_edges(scene.cells.front()));
+  scene.cells.push_back(show::hexahedra(made.hexahedra->mesh.points, made.hexahedra->mesh.hexahedra, data));
+  if (format != SceneFormat::vtu) scene.tubes.push_back(show::outer_edges(scene.cells.front()));
   return scene;
 }
 
@@ -29,12 +29,12 @@ scene::Scene product_scene(const SolidProduct& made, const std::string& title, b
                            bool with_cells) {
   scene::Scene scene{title, {}, {}, {}, {}};
   const product::Solid& solid = made.at.solid;
-  scene.surfaces.push_back(in_domain ? scene::domain_surface(solid, made.at.partition, made.uvw)
-                                     : scene::boundary_surface(solid, made.at.partition, made.uvw));
-  if (!made.fibers.empty()) scene.tubes.push_back(scene::fibers(in_domain ? made.straight : made.fibers));
+  scene.surfaces.push_back(in_domain ? show::domain_surface(solid, made.at.partition, made.uvw)
+                                     : show::boundary_surface(solid, made.at.partition, made.uvw));
+  if (!made.fibers.empty()) scene.tubes.push_back(show::fibers(in_domain ? made.straight : made.fibers));
   if (with_cells)
-    scene.cells.push_back(in_domain ? scene::domain_cells(solid, made.uvw)
-                                    : scene::product_cells(solid, made.uvw));
+    scene.cells.push_back(in_domain ? show::domain_cells(solid, made.uvw)
+                                    : show::product_cells(solid, made.uvw));
   return scene;
 }
 

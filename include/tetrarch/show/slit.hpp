@@ -24,7 +24,7 @@
 #include <string>
 #include <vector>
 
-namespace tetrarch::scene {
+namespace tetrarch::show {
 
 /// A mesh with its boundary loops, laid into the plane. The first places are those of the vertices, by their
 /// numbers; then come the second places of those on a seam.
@@ -35,7 +35,7 @@ struct Layout {
   std::vector<int> vertex;                     ///< of each place
   std::vector<std::array<int, 3>> corners;     ///< of each triangle: places
   /// Of each place where it goes in space, if the plane is to be rolled up; else empty.
-  std::vector<Point> rolled;
+  std::vector<scene::Point> rolled;
 };
 
 enum class SlitDomain : std::uint8_t { cylindric, parallel, concentric };
@@ -47,21 +47,22 @@ Layout basis_layout(const slit::OneForms& forms, int loop);
 Layout disk_layout(const mesh::TriangleMesh& mesh, const std::vector<std::complex<double>>& position);
 
 /// The domain as a surface in space, its loops as tubes: in the plane z = 0, or about the z axis.
-Scene slit_domain(const mesh::TriangleMesh& mesh, const Layout& layout);
+scene::Scene slit_domain(const mesh::TriangleMesh& mesh, const Layout& layout);
 
 /// The surface itself with its texture coordinates, its loops as tubes. Vertices keep their numbers; doubles
 /// of those on the seam follow.
 struct Fields {
-  std::vector<Field> triangles;
-  std::vector<Field> vertices;
+  std::vector<scene::Field> triangles;
+  std::vector<scene::Field> vertices;
 };
-Scene textured_surface(const mesh::TriangleMesh& mesh, const Layout& layout, const Fields& fields = {});
+scene::Scene textured_surface(const mesh::TriangleMesh& mesh, const Layout& layout,
+                              const Fields& fields = {});
 
 /// The surface as OBJ with texture coordinates for each corner: exactly its vertices and triangles, in their
 /// order, so that the seam doubles texture coordinates only.
 std::string textured_obj(const mesh::TriangleMesh& mesh, const Layout& layout);
 
 /// The triangulation thin, loops thick and colored.
-Drawing slit_drawing(const mesh::TriangleMesh& mesh, const Layout& layout);
+scene::Drawing slit_drawing(const mesh::TriangleMesh& mesh, const Layout& layout);
 
-} // namespace tetrarch::scene
+} // namespace tetrarch::show

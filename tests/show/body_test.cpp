@@ -7,8 +7,8 @@
 #include "tetrarch/core/signature.hpp"
 #include "tetrarch/embed/boundary.hpp"
 #include "tetrarch/scene/files.hpp"
-#include "tetrarch/scene/in_model.hpp"
-#include "tetrarch/scene/page.hpp"
+#include "tetrarch/show/in_model.hpp"
+#include "tetrarch/show/page.hpp"
 
 #include <algorithm>
 #include <catch2/catch.hpp>
@@ -18,6 +18,7 @@
 
 using namespace tetrarch;
 using namespace tetrarch::scene;
+using namespace tetrarch::show;
 using embed::Model;
 using embed::operator*;
 

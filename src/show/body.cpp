@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "tetrarch/scene/body.hpp"
+#include "tetrarch/show/body.hpp"
 
 #include "tetrarch/numeric/union_find.hpp"
 
@@ -7,7 +7,8 @@
 #include <cmath>
 #include <numeric>
 
-namespace tetrarch::scene {
+namespace tetrarch::show {
+
 namespace {
 
 using embed::center;
@@ -188,4 +189,4 @@ void keep_nearest(Body& body, std::size_t count) {
   body.length = std::move(length);
 }
 
-} // namespace tetrarch::scene
+} // namespace tetrarch::show

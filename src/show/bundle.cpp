@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "tetrarch/scene/bundle.hpp"
+#include "tetrarch/show/bundle.hpp"
 #include "tetrarch/numeric/vector.hpp"
 
-#include "palette.hpp"
 #include "tetrarch/bundle/gluable.hpp"
 #include "tetrarch/core/error.hpp"
 #include "tetrarch/mesh/planar.hpp"
+#include "tetrarch/scene/palette.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -13,7 +13,10 @@
 #include <numbers>
 #include <optional>
 
-namespace tetrarch::scene {
+namespace tetrarch::show {
+
+using namespace scene;
+
 namespace {
 
 using bundle::Band;
@@ -268,4 +271,4 @@ Drawing gluable_bands(const Plan& plan, int pairs) {
   return drawing;
 }
 
-} // namespace tetrarch::scene
+} // namespace tetrarch::show

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 /// Pictures of slit maps: all of the domain is there, in its place, and the surface keeps its vertices.
-#include "tetrarch/scene/slit.hpp"
+#include "tetrarch/show/slit.hpp"
 
 #include "tetrarch/format/mesh_files.hpp"
 #include "tetrarch/mesh/triangle_mesh.hpp"
@@ -13,6 +13,7 @@
 
 using namespace tetrarch;
 using namespace tetrarch::scene;
+using namespace tetrarch::show;
 
 namespace {
 

@@ -13,25 +13,25 @@
 #include "tetrarch/scene/drawing.hpp"
 #include "tetrarch/scene/scene.hpp"
 
-namespace tetrarch::scene {
+namespace tetrarch::show {
 
 /// The tetrahedra in space, solid torus beside solid torus, as cells with the data `triangle` (of the refined
 /// surface), `origin` (of the original surface), `level`, `disk`, and the texture coordinates (x, y) of the
 /// disk laid flat in the unit disk and w = level / N. With fewer than three levels the solid tori are flat.
 /// O(tetrahedra) and one factorization for each disk.
-Scene solid_tori(const bundle::Plan& plan, const bundle::CircleBundle& bundle);
+scene::Scene solid_tori(const bundle::Plan& plan, const bundle::CircleBundle& bundle);
 
 /// The boundary of the solid tori: a surface for each band, its cycles as tubes.
-Scene gluable_tori(const bundle::Plan& plan);
+scene::Scene gluable_tori(const bundle::Plan& plan);
 
 /// The surface with the curves of its cut as tubes of different colors. `index`, if not empty, has a number
 /// for each triangle; triangles whose number is not 0 stand out. The surface must have points:
 /// `PreconditionError`.
-Scene cut_surface(const bundle::Plan& plan, const std::vector<int>& index = {});
+scene::Scene cut_surface(const bundle::Plan& plan, const std::vector<int>& index = {});
 
 /// The bands laid flat, pair by pair from above, i to the right and j upwards; one base path of each first
 /// band and one diagonal path are drawn thick, with their images. At most `pairs` pairs. O(N * edges of the
 /// cut).
-Drawing gluable_bands(const bundle::Plan& plan, int pairs = 8);
+scene::Drawing gluable_bands(const bundle::Plan& plan, int pairs = 8);
 
-} // namespace tetrarch::scene
+} // namespace tetrarch::show

@@ -1,15 +1,21 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "tetrarch/scene/page.hpp"
+#include "tetrarch/show/page.hpp"
 
-#include "page_data.hpp"
 #include "tessellate.hpp"
+#include "tetrarch/scene/page_parts.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <nlohmann/json.hpp>
 
-namespace tetrarch::scene {
+namespace tetrarch::show {
+
+using namespace scene;
+
 namespace {
+
+using Json = nlohmann::ordered_json;
 
 void append(std::vector<float>& list, const Vector4& v) {
   for (const double x : v) list.push_back(static_cast<float>(x));
@@ -122,7 +128,7 @@ std::string page_data(const Page& page) {
 }
 
 std::string write_page(const Page& page) {
-  return filled(viewer_page(), [&page] { return page_data(page); });
+  return filled(viewer_page(), page_data(page));
 }
 
-} // namespace tetrarch::scene
+} // namespace tetrarch::show

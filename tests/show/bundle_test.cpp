@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 /// Pictures of circle bundles: the solid tori are solid, the bands have their colours.
-#include "tetrarch/scene/bundle.hpp"
+#include "tetrarch/show/bundle.hpp"
 
 #include "support/surfaces.hpp"
 #include "tetrarch/core/error.hpp"
@@ -14,6 +14,7 @@
 
 using namespace tetrarch;
 using namespace tetrarch::scene;
+using namespace tetrarch::show;
 using namespace tetrarch::support;
 
 namespace {

@@ -1,16 +1,19 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "tetrarch/scene/product.hpp"
+#include "tetrarch/show/product.hpp"
 #include "tetrarch/numeric/vector.hpp"
 
-#include "palette.hpp"
 #include "tetrarch/core/error.hpp"
 #include "tetrarch/scene/files.hpp"
+#include "tetrarch/scene/palette.hpp"
 
 #include <algorithm>
 #include <string>
 #include <utility>
 
-namespace tetrarch::scene {
+namespace tetrarch::show {
+
+using namespace scene;
+
 namespace {
 
 /// How thick lines are in terms of the whole picture.
@@ -135,4 +138,4 @@ Tubes outer_edges(const Cells& hexahedra) {
   return out;
 }
 
-} // namespace tetrarch::scene
+} // namespace tetrarch::show

@@ -18,23 +18,23 @@
 #include <array>
 #include <vector>
 
-namespace tetrarch::scene {
+namespace tetrarch::show {
 
 /// The tetrahedra in space, textures (u, v, w), field w at points.
-Cells product_cells(const product::Solid& solid, const std::vector<Point>& uvw);
+scene::Cells product_cells(const product::Solid& solid, const std::vector<scene::Point>& uvw);
 /// The same tetrahedra at (u, v, w).
-Cells domain_cells(const product::Solid& solid, const std::vector<Point>& uvw);
+scene::Cells domain_cells(const product::Solid& solid, const std::vector<scene::Point>& uvw);
 
 /// The boundary with its patches, as colors and as data `patch`: 0 floor, 1 ceiling, 2.. walls. Triangles
 /// and points are those of the solid's boundary.
-Surface boundary_surface(const product::Solid& solid, const product::Partition& partition,
-                         const std::vector<Point>& uvw);
+scene::Surface boundary_surface(const product::Solid& solid, const product::Partition& partition,
+                                const std::vector<scene::Point>& uvw);
 /// The same surface at (u, v, w).
-Surface domain_surface(const product::Solid& solid, const product::Partition& partition,
-                       const std::vector<Point>& uvw);
+scene::Surface domain_surface(const product::Solid& solid, const product::Partition& partition,
+                              const std::vector<scene::Point>& uvw);
 
 /// Fibers, in space or in the domain: each a polygon of at least two points. Data `fiber`, their number.
-Tubes fibers(const std::vector<std::vector<Point>>& paths);
+scene::Tubes fibers(const std::vector<std::vector<scene::Point>>& paths);
 
 struct HexahedraData {
   std::vector<double> quality; ///< scaled Jacobian of each cell: field `quality`
@@ -42,10 +42,10 @@ struct HexahedraData {
 };
 
 /// Hexahedra as they are, with vertices bottom counterclockwise from above, then top likewise.
-Cells hexahedra(const std::vector<Point>& points, const std::vector<std::array<int, 8>>& cells,
-                const HexahedraData& data);
+scene::Cells hexahedra(const std::vector<scene::Point>& points, const std::vector<std::array<int, 8>>& cells,
+                       const HexahedraData& data);
 
 /// The edges of the outer faces of hexahedra, each once, as polylines of two points.
-Tubes outer_edges(const Cells& hexahedra);
+scene::Tubes outer_edges(const scene::Cells& hexahedra);
 
-} // namespace tetrarch::scene
+} // namespace tetrarch::show

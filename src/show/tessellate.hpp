@@ -3,21 +3,21 @@
 
 /// Patches and arcs cut into pieces that are nearly straight in a model.
 
-#include "tetrarch/scene/body.hpp"
 #include "tetrarch/scene/scene.hpp"
+#include "tetrarch/show/body.hpp"
 
 #include <array>
 #include <functional>
 #include <vector>
 
-namespace tetrarch::scene {
+namespace tetrarch::show {
 
 /// Says whether the piece of a curve from a to b should be cut at its middle m. It must not depend on the
 /// order of a and b, so that neighbouring pieces agree.
 using TooCoarse = std::function<bool(const Vector4& a, const Vector4& m, const Vector4& b)>;
 
 /// How far the middle m of a curve is from the chord between its ends a and b.
-double sagitta(const Point& a, const Point& m, const Point& b);
+double sagitta(const scene::Point& a, const scene::Point& m, const scene::Point& b);
 
 inline bool is_horocycle(const Vector4& cusp) {
   return cusp[3] != 0;
@@ -41,4 +41,4 @@ std::vector<Vector4> subdivided(const Arc& arc, const TooCoarse& too_coarse, int
 Patch moved(const Matrix4& by, const Patch& patch);
 Arc moved(const Matrix4& by, const Arc& arc);
 
-} // namespace tetrarch::scene
+} // namespace tetrarch::show

@@ -8,7 +8,10 @@
 #include <cmath>
 #include <map>
 
-namespace tetrarch::scene {
+namespace tetrarch::show {
+
+using namespace scene;
+
 namespace {
 
 using namespace numeric;
@@ -176,4 +179,4 @@ Arc moved(const Matrix4& by, const Arc& arc) {
   return image;
 }
 
-} // namespace tetrarch::scene
+} // namespace tetrarch::show

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "tetrarch/scene/quads.hpp"
+#include "tetrarch/show/quads.hpp"
 
 #include "tetrarch/format/mesh_files.hpp"
 #include "tetrarch/scene/files.hpp"
@@ -10,6 +10,7 @@ namespace {
 
 using namespace tetrarch;
 using namespace tetrarch::scene;
+using namespace tetrarch::show;
 
 slit::QuadMesh two_quads() {
   slit::QuadMesh mesh;

@@ -15,7 +15,7 @@
 #include <string>
 #include <vector>
 
-namespace tetrarch::scene {
+namespace tetrarch::show {
 
 using Vector4 = embed::Vector4<double>;
 using Matrix4 = embed::Matrix4<double>;
@@ -66,4 +66,4 @@ void keep_nearest(Body& body, std::size_t count);
 /// A boundary component and its copies (a piece of the lift's group).
 Body body_of(const Skeleton& skeleton, const embed::BoundaryLift& lift, const embed::Piece& piece);
 
-} // namespace tetrarch::scene
+} // namespace tetrarch::show

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "tetrarch/scene/slit.hpp"
+#include "tetrarch/show/slit.hpp"
 #include "tetrarch/numeric/vector.hpp"
 
-#include "palette.hpp"
 #include "tetrarch/format/text.hpp"
+#include "tetrarch/scene/palette.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -12,7 +12,10 @@
 #include <string>
 #include <utility>
 
-namespace tetrarch::scene {
+namespace tetrarch::show {
+
+using namespace scene;
+
 namespace {
 
 using mesh::Side;
@@ -271,4 +274,4 @@ Drawing slit_drawing(const mesh::TriangleMesh& mesh, const Layout& layout) {
   return drawing;
 }
 
-} // namespace tetrarch::scene
+} // namespace tetrarch::show

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "tetrarch/scene/quads.hpp"
+#include "tetrarch/show/quads.hpp"
 #include "tetrarch/numeric/vector.hpp"
 
-#include "palette.hpp"
 #include "tetrarch/format/text.hpp"
+#include "tetrarch/scene/palette.hpp"
 
-namespace tetrarch::scene {
+namespace tetrarch::show {
+
+using namespace scene;
 
 std::string quads_obj(const slit::QuadMesh& mesh) {
   std::string out;
@@ -52,4 +54,4 @@ Scene quad_scene(const slit::QuadMesh& mesh) {
   return scene;
 }
 
-} // namespace tetrarch::scene
+} // namespace tetrarch::show

@@ -6,11 +6,11 @@
 
 #include "tetrarch/core/progress.hpp"
 #include "tetrarch/embed/model.hpp"
-#include "tetrarch/scene/body.hpp"
 #include "tetrarch/scene/drawing.hpp"
 #include "tetrarch/scene/scene.hpp"
+#include "tetrarch/show/body.hpp"
 
-namespace tetrarch::scene {
+namespace tetrarch::show {
 
 struct ModelOptions {
   embed::Model model = embed::Model::half_space;
@@ -32,7 +32,7 @@ double extent(const Body& body, embed::Model model);
 /// "tetrahedron", "copy", "word_length", "face" (face class, -1 on truncations), "vertex" (vertex class, -1
 /// on faces). O(size of the result): about 100 triangles for a patch that is large in the model, as many as
 /// it has sides for a tiny one. Throws PreconditionError for a chord error or radius that is not positive.
-Scene in_model(const Body& body, const ModelOptions& options, const Progress& progress = {});
+scene::Scene in_model(const Body& body, const ModelOptions& options, const Progress& progress = {});
 
 /// Memory that `in_model` and a file of its result take together, estimated from a sample of copies to within
 /// a factor of two. O(1) copies.
@@ -40,11 +40,11 @@ double scene_bytes(const Body& body, const ModelOptions& options);
 
 /// A flat body as a drawing: a vertical one in the half plane or (in the ball models) the disk, a horizontal
 /// one in the plane z = 1 of the half space.
-Drawing drawing_of(const Body& body, const ModelOptions& options);
+scene::Drawing drawing_of(const Body& body, const ModelOptions& options);
 
 /// The circles at infinity of all lifts of the geodesic boundary that the copies touch, each once, colored by
 /// component: the part that they leave uncovered in the limit is the limit set. In the plane at infinity of
 /// the half space.
-Drawing circles_at_infinity(const Body& body);
+scene::Drawing circles_at_infinity(const Body& body);
 
-} // namespace tetrarch::scene
+} // namespace tetrarch::show

@@ -1,16 +1,19 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "tetrarch/scene/in_model.hpp"
+#include "tetrarch/show/in_model.hpp"
 
-#include "palette.hpp"
 #include "tessellate.hpp"
 #include "tetrarch/core/error.hpp"
+#include "tetrarch/scene/palette.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <set>
 
-namespace tetrarch::scene {
+namespace tetrarch::show {
+
+using namespace scene;
+
 namespace {
 
 using embed::Model;
@@ -304,4 +307,4 @@ Drawing circles_at_infinity(const Body& body) {
   return drawing;
 }
 
-} // namespace tetrarch::scene
+} // namespace tetrarch::show

@@ -8,13 +8,13 @@
 
 #include <string>
 
-namespace tetrarch::scene {
+namespace tetrarch::show {
 
 /// OBJ: a line for each vertex, and one with four vertices for each quad, in their order. O(n).
 std::string quads_obj(const slit::QuadMesh& mesh);
 
 /// The surface, each quad as two triangles, under its lines as tubes: horizontal, vertical and boundary, in
 /// three colors. O(n log n).
-Scene quad_scene(const slit::QuadMesh& mesh);
+scene::Scene quad_scene(const slit::QuadMesh& mesh);
 
-} // namespace tetrarch::scene
+} // namespace tetrarch::show

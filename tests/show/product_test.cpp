@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "tetrarch/scene/product.hpp"
+#include "tetrarch/show/product.hpp"
 
 #include "product/solids.hpp"
-#include "scenes.hpp"
+#include "scene/scenes.hpp"
 #include "tetrarch/core/error.hpp"
 #include "tetrarch/format/mesh_files.hpp"
 #include "tetrarch/scene/files.hpp"
@@ -14,6 +14,7 @@
 
 using namespace tetrarch;
 using namespace tetrarch::scene;
+using namespace tetrarch::show;
 using namespace tetrarch::scene::test;
 
 namespace {
