@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "tetrarch/bundle/partition.hpp"
 
-#include "tetrarch/core/union_find.hpp"
+#include "tetrarch/numeric/union_find.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -149,14 +149,14 @@ std::vector<int> components(const Disk& disk, const Partition& partition) {
   std::vector<int> root(partition.pieces().size());
   std::iota(root.begin(), root.end(), 0);
   for (const Side s : partition.breaking_edges()) {
-    const int here = find_root(root, partition.piece_of(s.triangle()));
-    const int there = find_root(root, partition.piece_of(disk.mate(s).triangle()));
+    const int here = numeric::find_root(root, partition.piece_of(s.triangle()));
+    const int there = numeric::find_root(root, partition.piece_of(disk.mate(s).triangle()));
     root[std::max(here, there)] = std::min(here, there);
   }
   std::vector<int> component(root.size());
   int count = 0;
   for (int p = 0; p < static_cast<int>(root.size()); ++p) {
-    const int r = find_root(root, p);
+    const int r = numeric::find_root(root, p);
     component[p] = r == p ? count++ : component[r];
   }
   return component;

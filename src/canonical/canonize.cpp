@@ -5,7 +5,7 @@
 #include "tetrarch/canonical/hull.hpp"
 #include "tetrarch/core/error.hpp"
 #include "tetrarch/core/signature.hpp"
-#include "tetrarch/hyperbolic/real50.hpp"
+#include "tetrarch/numeric/real50.hpp"
 
 #include <algorithm>
 #include <array>
@@ -17,7 +17,7 @@ namespace tetrarch::canonical {
 namespace {
 
 using hyperbolic::Hyperbolization;
-using hyperbolic::Real50;
+using numeric::Real50;
 
 /// Below this a 60-digit tilt counts as zero: solutions are refined to 1e-45, conditioning takes a few
 /// digits.

@@ -2,7 +2,7 @@
 #include "tetrarch/canonical/cells.hpp"
 
 #include "tetrarch/core/error.hpp"
-#include "tetrarch/core/union_find.hpp"
+#include "tetrarch/numeric/union_find.hpp"
 
 #include <algorithm>
 #include <functional>
@@ -108,8 +108,8 @@ private:
     for (int t = 0; t < tri_.size(); ++t)
       for (int f = 0; f < 4; ++f)
         if (!is_wall({t, f})) {
-          const int a = find_root(cell, t);
-          const int b = find_root(cell, tri_.gluing({t, f}).tet);
+          const int a = numeric::find_root(cell, t);
+          const int b = numeric::find_root(cell, tri_.gluing({t, f}).tet);
           cell[std::max(a, b)] = std::min(a, b);
         }
     std::vector<Cell> by_root(cell.size());
@@ -125,7 +125,7 @@ private:
             ++corners;
             w = next_side(w);
           } while (!seen[slot(w.tet, w.hold[2], w.hold[3])]);
-          by_root[find_root(cell, t)].walls.push_back(corners);
+          by_root[numeric::find_root(cell, t)].walls.push_back(corners);
         }
     std::vector<Cell> cells;
     for (Cell& c : by_root) {

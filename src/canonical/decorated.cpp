@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "tetrarch/canonical/decorated.hpp"
 
-#include "tetrarch/hyperbolic/real50.hpp"
+#include "tetrarch/numeric/instantiate.hpp"
 
 #include <algorithm>
 #include <array>
@@ -132,7 +132,7 @@ template <class Scalar>
 Scalar cone_volume(const Decorated<Scalar>& m, int tet) {
   using std::sqrt;
   if (m.is_flat(tet)) return Scalar(0);
-  const Scalar square = -hyperbolic::determinant(m.gram[tet]);
+  const Scalar square = -numeric::determinant(m.gram[tet]);
   return square > 0 ? Scalar(sqrt(square)) : Scalar(0);
 }
 
@@ -198,8 +198,7 @@ void set_cusp_areas(Decorated<Scalar>& m, const std::vector<int>& vertex, int ve
   template Scalar product_across(const Decorated<Scalar>&, TetFace, const Across<Scalar>&);                  \
   template Decorated<Scalar> move(const Decorated<Scalar>&, const moves::Ball&, int, int, const Scalar&);    \
   template void set_cusp_areas(Decorated<Scalar>&, const std::vector<int>&, int, const Scalar&);
-TETRARCH_DECORATED(double)
-TETRARCH_DECORATED(hyperbolic::Real50)
+TETRARCH_FOR_EACH_SCALAR(TETRARCH_DECORATED)
 #undef TETRARCH_DECORATED
 
 } // namespace tetrarch::canonical

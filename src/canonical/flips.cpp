@@ -2,7 +2,8 @@
 #include "tetrarch/canonical/flips.hpp"
 
 #include "tetrarch/core/random.hpp"
-#include "tetrarch/hyperbolic/real50.hpp"
+#include "tetrarch/numeric/instantiate.hpp"
+#include "tetrarch/numeric/predicates.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -13,10 +14,8 @@
 namespace tetrarch::canonical {
 namespace {
 
-template <class Scalar>
-int sign_beyond(const Scalar& x, double margin) {
-  return x > margin ? 1 : x < -margin ? -1 : 0;
-}
+using numeric::Sign;
+using numeric::sign_beyond;
 
 /// A concave face, seen from a tetrahedron that is not flat.
 template <class Scalar>
@@ -80,7 +79,7 @@ private:
         const bool seen = g.tet < t || (g.tet == t && g.perm[f] < f);
         if (seen && !m_.is_flat(g.tet)) continue; // each face once
         Across<Scalar> across = look_across(m_, {t, f});
-        if (sign_beyond(across.tilt, options_.margin) >= 0) continue;
+        if (sign_beyond(across.tilt, options_.margin) != Sign::negative) continue;
         const Scalar drop = across.tilt * cone_volume(m_, t);
         found.push_back({{t, f}, std::move(across), drop});
       }
@@ -104,14 +103,14 @@ private:
 
   std::optional<Flip<Scalar>> flip_at(const Concave<Scalar>& concave) const {
     const auto& shared = face_vertex[concave.face.face];
-    std::array<int, 3> sign{};
+    std::array<Sign, 3> sign{};
     for (int c = 0; c < 3; ++c) sign[c] = sign_beyond(concave.across.a[shared[c]], options_.margin);
-    const auto positive = std::count(sign.begin(), sign.end(), 1);
+    const auto positive = std::count(sign.begin(), sign.end(), Sign::positive);
     if (positive == 2)
       for (int c = 0; c < 3; ++c)
-        if (sign[c] <= 0)
+        if (sign[c] != Sign::positive)
           if (auto flip = three_two(concave.face, c)) return flip;
-    if (std::count(sign.begin(), sign.end(), -1) > 0) return std::nullopt;
+    if (std::count(sign.begin(), sign.end(), Sign::negative) > 0) return std::nullopt;
     return two_three(concave, sign);
   }
 
@@ -124,7 +123,7 @@ private:
   }
 
   std::optional<Flip<Scalar>> two_three(const Concave<Scalar>& concave,
-                                        const std::array<int, 3>& sign) const {
+                                        const std::array<Sign, 3>& sign) const {
     if (m_.is_flat(m_.tri.gluing(concave.face).tet)) return std::nullopt;
     auto ball = moves::two_three_ball(m_.tri, concave.face);
     if (!std::holds_alternative<moves::Ball>(ball)) return std::nullopt;
@@ -133,7 +132,7 @@ private:
                         3,
                         4,
                         product_across(m_, concave.face, concave.across),
-                        {sign[2] == 0, sign[0] == 0, sign[1] == 0}};
+                        {sign[2] != Sign::positive, sign[0] != Sign::positive, sign[1] != Sign::positive}};
   }
 
   /// False if the sum of cone volumes did not change by `drop`.
@@ -166,7 +165,9 @@ Flips flip_to_hull(Decorated<Scalar>& m, const FlipOptions& options, const Progr
   return Flipper<Scalar>(m, options).run(progress);
 }
 
-template Flips flip_to_hull(Decorated<double>&, const FlipOptions&, const Progress&);
-template Flips flip_to_hull(Decorated<hyperbolic::Real50>&, const FlipOptions&, const Progress&);
+#define TETRARCH_INSTANTIATE(Scalar)                                                                         \
+  template Flips flip_to_hull(Decorated<Scalar>&, const FlipOptions&, const Progress&);
+TETRARCH_FOR_EACH_SCALAR(TETRARCH_INSTANTIATE)
+#undef TETRARCH_INSTANTIATE
 
 } // namespace tetrarch::canonical

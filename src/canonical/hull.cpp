@@ -2,8 +2,8 @@
 #include "tetrarch/canonical/hull.hpp"
 
 #include "polytope.hpp"
-#include "tetrarch/core/union_find.hpp"
-#include "tetrarch/hyperbolic/real50.hpp"
+#include "tetrarch/numeric/instantiate.hpp"
+#include "tetrarch/numeric/union_find.hpp"
 #include "tiling.hpp"
 
 #include <algorithm>
@@ -52,7 +52,7 @@ public:
 private:
   using Vectors = std::vector<Vector4<Scalar>>;
 
-  static Vector4<Scalar> apply(const hyperbolic::Matrix4<Scalar>& m, const Vector4<Scalar>& x) {
+  static Vector4<Scalar> apply(const numeric::Matrix4<Scalar>& m, const Vector4<Scalar>& x) {
     return {dot<Scalar>(m[0], x), dot<Scalar>(m[1], x), dot<Scalar>(m[2], x), dot<Scalar>(m[3], x)};
   }
 
@@ -106,7 +106,7 @@ private:
   /// The cell with these corners: its number and how coordinates in the frame become the cell's.
   struct Found {
     int cell;
-    hyperbolic::Matrix4<Scalar> to_cell;
+    numeric::Matrix4<Scalar> to_cell;
   };
   std::optional<Found> find_or_add(int frame_tet, const Vector4<Scalar>& phi, const Vectors& corners) {
     if (corners.size() < 4) return std::nullopt;
@@ -125,7 +125,7 @@ private:
     return Found{static_cast<int>(cells_.size()) - 1, to_cell};
   }
 
-  bool add(const typename Tiling<Scalar>::Place& place, const hyperbolic::Matrix4<Scalar>& to_cell,
+  bool add(const typename Tiling<Scalar>::Place& place, const numeric::Matrix4<Scalar>& to_cell,
            const Vector4<Scalar>& phi, const Vectors& corners) {
     DevelopedCell<Scalar> cell;
     cell.tet = place.tile.tet;
@@ -256,14 +256,14 @@ private:
     for (int c = 0; c < static_cast<int>(cells_.size()); ++c)
       for (int w = 0; w < static_cast<int>(cells_[c].walls.size()); ++w)
         for_each_side(c, w, [&](const std::array<int, 3>& edge, const std::array<int, 3>& image) {
-          root[find_root(root, number.at(edge))] = find_root(root, number.at(image));
+          root[numeric::find_root(root, number.at(edge))] = numeric::find_root(root, number.at(image));
         });
     std::vector<double> sum(root.size(), 0);
     for (const auto& [edge, walls] : walls_at)
-      sum[find_root(root, number.at(edge))] += angle(edge[0], walls.at(0), walls.at(1));
+      sum[numeric::find_root(root, number.at(edge))] += angle(edge[0], walls.at(0), walls.at(1));
     constexpr double tolerance = 1e-5; // a missing or doubled cell changes a sum by much more
     for (std::size_t k = 0; k < root.size(); ++k)
-      if (root[k] == static_cast<int>(k) && !(std::abs(sum[k] - 2 * hyperbolic::pi<double>()) < tolerance))
+      if (root[k] == static_cast<int>(k) && !(std::abs(sum[k] - 2 * numeric::pi<double>()) < tolerance))
         return false;
     return true;
   }
@@ -314,9 +314,10 @@ std::optional<std::vector<HullCell>> direct_hull(const Decorated<Scalar>& m, con
   return std::nullopt;
 }
 
-template std::optional<std::vector<HullCell>> direct_hull(const Decorated<double>&, const HullOptions&,
-                                                          const Progress&);
-template std::optional<std::vector<HullCell>> direct_hull(const Decorated<hyperbolic::Real50>&,
-                                                          const HullOptions&, const Progress&);
+#define TETRARCH_INSTANTIATE(Scalar)                                                                         \
+  template std::optional<std::vector<HullCell>> direct_hull(const Decorated<Scalar>&, const HullOptions&,    \
+                                                            const Progress&);
+TETRARCH_FOR_EACH_SCALAR(TETRARCH_INSTANTIATE)
+#undef TETRARCH_INSTANTIATE
 
 } // namespace tetrarch::canonical

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "polytope.hpp"
 
-#include "tetrarch/hyperbolic/real50.hpp"
+#include "tetrarch/numeric/instantiate.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -110,9 +110,10 @@ std::optional<std::vector<PolytopeWall<Scalar>>> polytope_walls(const std::vecto
   return walls;
 }
 
-template std::optional<std::vector<PolytopeWall<double>>> polytope_walls(const std::vector<Vector4<double>>&,
-                                                                         double);
-template std::optional<std::vector<PolytopeWall<hyperbolic::Real50>>>
-polytope_walls(const std::vector<Vector4<hyperbolic::Real50>>&, double);
+#define TETRARCH_INSTANTIATE(Scalar)                                                                         \
+  template std::optional<std::vector<PolytopeWall<Scalar>>> polytope_walls(                                  \
+      const std::vector<Vector4<Scalar>>&, double);
+TETRARCH_FOR_EACH_SCALAR(TETRARCH_INSTANTIATE)
+#undef TETRARCH_INSTANTIATE
 
 } // namespace tetrarch::canonical

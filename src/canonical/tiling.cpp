@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "tiling.hpp"
 
-#include "tetrarch/hyperbolic/real50.hpp"
+#include "tetrarch/numeric/instantiate.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -13,15 +13,15 @@
 namespace tetrarch::canonical {
 namespace {
 
-using hyperbolic::Matrix4;
+using numeric::Matrix4;
 
 constexpr double near_enough = 1e-9;
 constexpr int longest_walk = 20'000; ///< tiles on the way to a point; a hundred are usual for large ones
 
 template <class Scalar>
 Matrix4<Scalar> inverse(const Matrix4<Scalar>& m) {
-  const hyperbolic::Minors<Scalar> minors(m);
-  Matrix4<Scalar> a = hyperbolic::adjugate(m, minors);
+  const numeric::Minors<Scalar> minors(m);
+  Matrix4<Scalar> a = numeric::adjugate(m, minors);
   const Scalar scale = 1 / minors.determinant();
   for (auto& row : a)
     for (Scalar& x : row) x *= scale;
@@ -264,7 +264,8 @@ Tiling<Scalar>::locate(int frame_tet, const Vector4<Scalar>& vector, double marg
   return places;
 }
 
-template class Tiling<double>;
-template class Tiling<hyperbolic::Real50>;
+#define TETRARCH_INSTANTIATE(Scalar) template class Tiling<Scalar>;
+TETRARCH_FOR_EACH_SCALAR(TETRARCH_INSTANTIATE)
+#undef TETRARCH_INSTANTIATE
 
 } // namespace tetrarch::canonical

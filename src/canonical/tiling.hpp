@@ -64,7 +64,7 @@ public:
   Tile<Scalar> frame(int tet) const;
   Tile<Scalar> across(const Tile<Scalar>& tile, int face) const;
   /// The matrix that takes coordinates in the frame to coordinates in the tile's basis.
-  static hyperbolic::Matrix4<Scalar> into_basis(const Tile<Scalar>& tile);
+  static numeric::Matrix4<Scalar> into_basis(const Tile<Scalar>& tile);
 
   /// Shows vectors to `visit`, each once, until it returns true or the budget is spent: those of tiles near
   /// the pole of phi come first. Returns whether it was stopped by `visit`.
@@ -88,7 +88,7 @@ private:
 
   const Decorated<Scalar>& m_;
   std::vector<std::array<Across<Scalar>, 4>> across_;
-  std::vector<hyperbolic::Matrix4<Scalar>> inverse_; ///< of the Gram matrices
+  std::vector<numeric::Matrix4<Scalar>> inverse_; ///< of the Gram matrices
   bool some_hyperideal_ = false;
 };
 

@@ -2,7 +2,7 @@
 #include "tetrarch/core/signature.hpp"
 
 #include "tetrarch/core/error.hpp"
-#include "tetrarch/core/union_find.hpp"
+#include "tetrarch/numeric/union_find.hpp"
 
 #include <algorithm>
 #include <array>
@@ -84,7 +84,7 @@ private:
     return iso;
   }
 
-  int root(int x) { return find_root(orbit_, x); }
+  int root(int x) { return numeric::find_root(orbit_, x); }
 
   /// Follows the labelling that starts at t; afterwards it is the best, tied with the best, or forgotten.
   void attempt(int t, Perm4 start) {

@@ -2,7 +2,7 @@
 #include "tetrarch/core/skeleton.hpp"
 
 #include "tetrarch/core/error.hpp"
-#include "tetrarch/core/union_find.hpp"
+#include "tetrarch/numeric/union_find.hpp"
 
 #include <algorithm>
 #include <numeric>
@@ -211,7 +211,7 @@ void Skeleton::count_boundary_curves() {
       const int a = edge_end(at, face_vertex[face.face][(c + 1) % 3]);
       const int b = edge_end(at, face_vertex[face.face][(c + 2) % 3]);
       link_at[a] = link_at[b] = vertex(at).value;
-      curve[find_root(curve, a)] = find_root(curve, b);
+      curve[numeric::find_root(curve, a)] = numeric::find_root(curve, b);
     }
   }
   for (std::size_t x = 0; x < curve.size(); ++x)

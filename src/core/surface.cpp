@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "tetrarch/core/surface.hpp"
 
-#include "tetrarch/core/union_find.hpp"
+#include "tetrarch/numeric/union_find.hpp"
 
 #include <numeric>
 
@@ -83,7 +83,8 @@ SurfaceComponents classify(const TriangulatedSurface& surface) {
       type.euler -= side.triangle < 0 ? 2 : 1;
       for (const int c : {(s + 1) % 3, (s + 2) % 3})
         if (side.triangle >= 0)
-          vertex[find_root(vertex, 3 * t + c)] = find_root(vertex, 3 * side.triangle + side.corner[c]);
+          vertex[numeric::find_root(vertex, 3 * t + c)] =
+              numeric::find_root(vertex, 3 * side.triangle + side.corner[c]);
     }
   }
   for (int t = 0; t < surface.size(); ++t)
@@ -93,8 +94,8 @@ SurfaceComponents classify(const TriangulatedSurface& surface) {
   for (int t = 0; t < surface.size(); ++t) {
     for (int s = 0; s < 3; ++s) {
       if (surface.side(t, s).triangle >= 0) continue;
-      const int a = find_root(vertex, 3 * t + (s + 1) % 3);
-      const int b = find_root(vertex, 3 * t + (s + 2) % 3);
+      const int a = numeric::find_root(vertex, 3 * t + (s + 1) % 3);
+      const int b = numeric::find_root(vertex, 3 * t + (s + 2) % 3);
       vertex[a] = b;
       on_boundary[a] = on_boundary[b] = 1;
     }

@@ -40,7 +40,7 @@ Matrix4<double> upright(const Vector4<double>& v, VertexType type, const Vector4
     return type == VertexType::hyperideal ? matrix_with_columns<double>({last, n, side, center})
                                           : matrix_with_columns<double>({side, last, n, center});
   };
-  if (hyperbolic::determinant(frame()) < 0) last = scaled(-1.0, last);
+  if (numeric::determinant(frame()) < 0) last = scaled(-1.0, last);
   return inverse(reorthonormalized(frame()));
 }
 

@@ -2,7 +2,7 @@
 #include "cusps.hpp"
 
 #include "tetrarch/embed/placed.hpp"
-#include "tetrarch/hyperbolic/real50.hpp"
+#include "tetrarch/numeric/instantiate.hpp"
 
 #include <algorithm>
 
@@ -73,8 +73,7 @@ Metric<Scalar> with_cusp_area(const Skeleton& skeleton, const Metric<Scalar>& le
 #define TETRARCH_INSTANTIATE(Scalar)                                                                         \
   template Metric<Scalar> with_cusp_area(const Skeleton&, const Metric<Scalar>&,                             \
                                          const Table<VertexId, VertexType>&, double);
-TETRARCH_INSTANTIATE(double)
-TETRARCH_INSTANTIATE(hyperbolic::Real50)
+TETRARCH_FOR_EACH_SCALAR(TETRARCH_INSTANTIATE)
 #undef TETRARCH_INSTANTIATE
 
 } // namespace tetrarch::embed

@@ -3,8 +3,8 @@
 
 #include "cusps.hpp"
 #include "tetrarch/core/error.hpp"
-#include "tetrarch/core/union_find.hpp"
-#include "tetrarch/hyperbolic/real50.hpp"
+#include "tetrarch/numeric/instantiate.hpp"
+#include "tetrarch/numeric/union_find.hpp"
 
 #include <numeric>
 
@@ -48,7 +48,8 @@ Table<FaceId, char> open_faces(const Skeleton& skeleton, const algebra::DualPres
 void unite_around_edges(const Triangulation& tri, const Skeleton& skeleton, const Table<FaceId, char>& open,
                         std::vector<int>& group) {
   const auto unite = [&group](TetFace f, TetFace g) {
-    group[find_root(group, static_cast<int>(index(f)))] = find_root(group, static_cast<int>(index(g)));
+    group[numeric::find_root(group, static_cast<int>(index(f)))] =
+        numeric::find_root(group, static_cast<int>(index(g)));
   };
   for (const EdgeId e : all<EdgeId>(skeleton.edge_count())) {
     std::vector<TetFace> crossed; // the left faces of the open crossings, in cyclic order
@@ -133,7 +134,7 @@ void find_gluable_faces(const Triangulation& tri, const Skeleton& skeleton, cons
     for (int f = 0; f < 4; ++f) {
       const TetFace face{t, f};
       if (!open[skeleton.face(face)]) continue;
-      int& id = number[find_root(group, static_cast<int>(index(face)))];
+      int& id = number[numeric::find_root(group, static_cast<int>(index(face)))];
       if (id < 0) {
         id = static_cast<int>(domain.faces.size());
         domain.faces.emplace_back();
@@ -188,8 +189,7 @@ Matrix4<Scalar> holonomy_of(const Domain<Scalar>& domain, const algebra::Word& w
   template Domain<Scalar> fundamental_domain(const Triangulation&, const Skeleton&, const Metric<Scalar>&,   \
                                              const DomainOptions&);                                          \
   template Matrix4<Scalar> holonomy_of(const Domain<Scalar>&, const algebra::Word&);
-TETRARCH_INSTANTIATE(double)
-TETRARCH_INSTANTIATE(hyperbolic::Real50)
+TETRARCH_FOR_EACH_SCALAR(TETRARCH_INSTANTIATE)
 #undef TETRARCH_INSTANTIATE
 
 } // namespace tetrarch::embed

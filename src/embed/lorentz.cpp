@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "tetrarch/embed/lorentz.hpp"
 
-#include "tetrarch/hyperbolic/real50.hpp"
+#include "tetrarch/numeric/instantiate.hpp"
 
 namespace tetrarch::embed {
 namespace {
@@ -52,8 +52,7 @@ Scalar relative_difference(const Matrix4<Scalar>& m, const Matrix4<Scalar>& n) {
   template Scalar lorentz_defect(const Matrix4<Scalar>&);                                                    \
   template Matrix4<Scalar> reorthonormalized(const Matrix4<Scalar>&);                                        \
   template Scalar relative_difference(const Matrix4<Scalar>&, const Matrix4<Scalar>&);
-TETRARCH_INSTANTIATE(double)
-TETRARCH_INSTANTIATE(hyperbolic::Real50)
+TETRARCH_FOR_EACH_SCALAR(TETRARCH_INSTANTIATE)
 #undef TETRARCH_INSTANTIATE
 
 } // namespace tetrarch::embed

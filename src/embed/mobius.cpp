@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "tetrarch/embed/mobius.hpp"
 
-#include "tetrarch/hyperbolic/real50.hpp"
+#include "tetrarch/numeric/instantiate.hpp"
 
 #include <limits>
 #include <utility>
@@ -125,7 +125,7 @@ Mobius<Scalar> composed(const Mobius<Scalar>& m, const Mobius<Scalar>& n) {
 
 template <class Scalar>
 Mobius<Scalar> mobius_of(const Matrix4<Scalar>& m) {
-  const bool reverses = hyperbolic::determinant(m) < 0;
+  const bool reverses = numeric::determinant(m) < 0;
   Matrix4<Scalar> proper = m;
   if (reverses)
     for (auto& row : proper) row[1] = -row[1];
@@ -177,8 +177,7 @@ Scalar relative_difference(const Mobius<Scalar>& m, const Mobius<Scalar>& n) {
   template Mobius<Scalar> mobius_of(const Matrix4<Scalar>&);                                                 \
   template Matrix4<Scalar> lorentz_of(const Mobius<Scalar>&);                                                \
   template Scalar relative_difference(const Mobius<Scalar>&, const Mobius<Scalar>&);
-TETRARCH_INSTANTIATE(double)
-TETRARCH_INSTANTIATE(hyperbolic::Real50)
+TETRARCH_FOR_EACH_SCALAR(TETRARCH_INSTANTIATE)
 #undef TETRARCH_INSTANTIATE
 
 } // namespace tetrarch::embed

@@ -2,7 +2,7 @@
 #include "tetrarch/embed/placed.hpp"
 
 #include "tetrarch/core/error.hpp"
-#include "tetrarch/hyperbolic/real50.hpp"
+#include "tetrarch/numeric/instantiate.hpp"
 
 namespace tetrarch::embed {
 namespace {
@@ -118,8 +118,7 @@ Vector4<Scalar> center(const VertexVectors<Scalar>& v, const VertexTypes& types)
   template Vector4<Scalar> face_normal(const VertexVectors<Scalar>&, int);                                   \
   template Vector4<Scalar> corner(const VertexVectors<Scalar>&, const VertexTypes&, int, int);               \
   template Vector4<Scalar> center(const VertexVectors<Scalar>&, const VertexTypes&);
-TETRARCH_INSTANTIATE(double)
-TETRARCH_INSTANTIATE(hyperbolic::Real50)
+TETRARCH_FOR_EACH_SCALAR(TETRARCH_INSTANTIATE)
 #undef TETRARCH_INSTANTIATE
 
 } // namespace tetrarch::embed

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "tetrarch/embed/domain.hpp"
 #include "tetrarch/embed/mobius.hpp"
-#include "tetrarch/hyperbolic/real50.hpp"
+#include "tetrarch/numeric/instantiate.hpp"
 #include "unroll.hpp"
 
 #include <cmath>
@@ -79,7 +79,7 @@ template <class Scalar>
 double edge_rotation(const Skeleton& skeleton, const Domain<Scalar>& domain) {
   double most = 0;
   for (const EdgeId e : all<EdgeId>(skeleton.edge_count())) {
-    Scalar sum = -2 * hyperbolic::pi<Scalar>();
+    Scalar sum = -2 * numeric::pi<Scalar>();
     for (const Walk& w : skeleton.around(e)) {
       const auto& v = domain.vertices[w.tet];
       sum += angle_between(face_normal(v, w.left_face().face), face_normal(v, w.right_face().face));
@@ -104,7 +104,7 @@ double gauss_bonnet(const Skeleton& skeleton, const Domain<Scalar>& domain) {
   double most = 0;
   for (const VertexId v : all<VertexId>(skeleton.vertex_count())) {
     if (hyperbolic::vertex_type(skeleton.link(v)) != VertexType::hyperideal) continue;
-    Scalar sum = 2 * hyperbolic::pi<Scalar>() * skeleton.link(v).euler;
+    Scalar sum = 2 * numeric::pi<Scalar>() * skeleton.link(v).euler;
     for (const TetVertex at : skeleton.preimages(v))
       sum += triangle_area(domain.vertices[at.tet][at.vertex], corners_of(domain, at));
     raise(most, sum);
@@ -145,7 +145,9 @@ Residuals residuals(const Triangulation& tri, const Skeleton& skeleton, const Do
   return found;
 }
 
-template Residuals residuals(const Triangulation&, const Skeleton&, const Domain<double>&);
-template Residuals residuals(const Triangulation&, const Skeleton&, const Domain<hyperbolic::Real50>&);
+#define TETRARCH_INSTANTIATE(Scalar)                                                                         \
+  template Residuals residuals(const Triangulation&, const Skeleton&, const Domain<Scalar>&);
+TETRARCH_FOR_EACH_SCALAR(TETRARCH_INSTANTIATE)
+#undef TETRARCH_INSTANTIATE
 
 } // namespace tetrarch::embed

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "tetrarch/core/error.hpp"
 #include "tetrarch/embed/domain.hpp"
-#include "tetrarch/hyperbolic/real50.hpp"
+#include "tetrarch/numeric/real50.hpp"
 
 namespace tetrarch::embed {
 namespace {
 
-using hyperbolic::Real50;
+using numeric::Real50;
 
 Vector4<double> rounded(const Vector4<Real50>& v) {
   Vector4<double> r;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "angle_data.hpp"
 
-#include "rounding.hpp"
-#include "tetrarch/hyperbolic/real50.hpp"
+#include "tetrarch/numeric/instantiate.hpp"
+#include "tetrarch/numeric/scalar.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -23,9 +23,9 @@ struct Size {
 };
 
 template <class Scalar>
-Matrix4<Size<Scalar>> sizes(const Matrix4<Scalar>& w) {
+numeric::Matrix4<Size<Scalar>> sizes(const numeric::Matrix4<Scalar>& w) {
   using std::abs;
-  Matrix4<Size<Scalar>> m;
+  numeric::Matrix4<Size<Scalar>> m;
   for (int i = 0; i < 4; ++i)
     for (int j = 0; j < 4; ++j) m[i][j].x = abs(w[i][j]);
   return m;
@@ -38,15 +38,15 @@ struct BoundedShape {
   kernel::Shape<Scalar> shape;
   Scalar square;         ///< D
   Scalar relative_error; ///< of D
-  Matrix4<Scalar> a_error;
+  numeric::Matrix4<Scalar> a_error;
 
-  explicit BoundedShape(const Matrix4<Scalar>& w) : shape(w), square(shape.s * shape.s) {
-    const Matrix4<Size<Scalar>> size = sizes(w);
-    const Minors<Size<Scalar>> minors(size);
-    const Matrix4<Size<Scalar>> a = adjugate(size, minors);
-    relative_error = 30 * unit<Scalar>() * minors.determinant().x / square;
+  explicit BoundedShape(const numeric::Matrix4<Scalar>& w) : shape(w), square(shape.s * shape.s) {
+    const numeric::Matrix4<Size<Scalar>> size = sizes(w);
+    const numeric::Minors<Size<Scalar>> minors(size);
+    const numeric::Matrix4<Size<Scalar>> a = numeric::adjugate(size, minors);
+    relative_error = 30 * numeric::unit<Scalar>() * minors.determinant().x / square;
     for (int k = 0; k < 4; ++k)
-      for (int l = 0; l < 4; ++l) a_error[k][l] = 20 * unit<Scalar>() * a[k][l].x;
+      for (int l = 0; l < 4; ++l) a_error[k][l] = 20 * numeric::unit<Scalar>() * a[k][l].x;
   }
 };
 
@@ -62,12 +62,12 @@ void set_angle(AngleData<Scalar>& data, int e, const BoundedShape<Scalar>& bound
   data.turns[e] = x < 0 ? 1 : 0;
   data.rest[e] = x < 0 ? Scalar(-atan2(y, Scalar(-x))) : Scalar(atan2(y, x));
   const Scalar x_error = bounded.a_error[k][l];
-  const Scalar y_error = y * (bounded.relative_error + 8 * unit<Scalar>());
+  const Scalar y_error = y * (bounded.relative_error + 8 * numeric::unit<Scalar>());
   const Scalar square = x * x + y * y;
   const bool drowned = bounded.relative_error > Scalar(0.1) || 16 * (x_error * x_error) > square;
   data.rest_error[e] = drowned ? std::numeric_limits<Scalar>::infinity()
                                : Scalar(Scalar(1.5) * (abs(x) * y_error + y * x_error) / square +
-                                        4 * unit<Scalar>() * abs(data.rest[e]));
+                                        4 * numeric::unit<Scalar>() * abs(data.rest[e]));
 }
 
 } // namespace
@@ -86,13 +86,14 @@ std::optional<AngleData<Scalar>> angle_data(const std::array<kernel::EdgeForm<Sc
     if (e < 3) products += form[e].g * form[opposite_edge(e)].g;
   }
   data.spread = atan2(bounded.shape.s, products);
-  data.spread_error = data.spread * (bounded.relative_error + 16 * unit<Scalar>());
+  data.spread_error = data.spread * (bounded.relative_error + 16 * numeric::unit<Scalar>());
   return data;
 }
 
-template std::optional<AngleData<double>> angle_data(const std::array<kernel::EdgeForm<double>, 6>&,
-                                                     const VertexTypes&);
-template std::optional<AngleData<Real50>> angle_data(const std::array<kernel::EdgeForm<Real50>, 6>&,
-                                                     const VertexTypes&);
+#define TETRARCH_INSTANTIATE(Scalar)                                                                         \
+  template std::optional<AngleData<Scalar>> angle_data(const std::array<kernel::EdgeForm<Scalar>, 6>&,       \
+                                                       const VertexTypes&);
+TETRARCH_FOR_EACH_SCALAR(TETRARCH_INSTANTIATE)
+#undef TETRARCH_INSTANTIATE
 
 } // namespace tetrarch::hyperbolic

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "clausen.hpp"
 
-#include "rounding.hpp"
-#include "tetrarch/hyperbolic/real50.hpp"
 #include "tetrarch/hyperbolic/volume.hpp"
+#include "tetrarch/numeric/instantiate.hpp"
+#include "tetrarch/numeric/scalar.hpp"
 
 #include <cmath>
 #include <limits>
@@ -83,7 +83,7 @@ ClausenTerm<Scalar> near_whole_turn(const Scalar& r, const Scalar& r_error) {
   term.value = r - r * logarithm + odd_series(clausen_series<Scalar>().zero, r);
   // Cl is concave on (0, pi/3) and odd, hence |Cl(x + e) - Cl(x)| <= 2 Cl(e/2) for all x.
   term.slope = r >= 2 * r_error ? Scalar(size + 1) : Scalar(2 + abs(log(r_error)));
-  term.error = term.slope * r_error + 6 * unit<Scalar>() * r * (1 + size);
+  term.error = term.slope * r_error + 6 * numeric::unit<Scalar>() * r * (1 + size);
   term.distance = r;
   return term;
 }
@@ -96,8 +96,8 @@ ClausenTerm<Scalar> near_half_turn(const Scalar& y, const Scalar& y_error) {
   ClausenTerm<Scalar> term;
   term.value = y * log_two - odd_series(clausen_series<Scalar>().half, y);
   term.slope = Scalar(0.7);
-  term.error = term.slope * y_error + 4 * unit<Scalar>() * y;
-  term.distance = pi<Scalar>() - y;
+  term.error = term.slope * y_error + 4 * numeric::unit<Scalar>() * y;
+  term.distance = numeric::pi<Scalar>() - y;
   return term;
 }
 
@@ -107,19 +107,19 @@ template <class Scalar>
 ClausenTerm<Scalar> clausen_term(int half_turns, const Scalar& x, const Scalar& x_error) {
   using std::abs;
   using std::floor;
-  const Scalar half_turn = pi<Scalar>();
+  const Scalar half_turn = numeric::pi<Scalar>();
   Scalar rest = x;
   Scalar error = x_error;
   if (abs(x) > half_turn) {
     const Scalar turns = floor(Scalar(x / (2 * half_turn) + Scalar(0.5)));
     rest = (x - 2 * half_turn * turns) - 2 * rest_of_pi<Scalar>() * turns;
-    error += 4 * unit<Scalar>() * half_turn * abs(turns);
+    error += 4 * numeric::unit<Scalar>() * half_turn * abs(turns);
   }
   const Scalar size = abs(rest);
   const bool odd = half_turns % 2 != 0;
   const bool far = odd ? 3 * size > half_turn : 3 * size > 2 * half_turn;
   const Scalar other = (half_turn - size) + rest_of_pi<Scalar>();
-  if (far) error += 2 * unit<Scalar>() * half_turn;
+  if (far) error += 2 * numeric::unit<Scalar>() * half_turn;
   const Scalar& argument = far ? other : size;
   ClausenTerm<Scalar> term{};
   if (odd == far) {
@@ -140,8 +140,7 @@ Scalar clausen(const Scalar& x) {
 #define TETRARCH_INSTANTIATE(Scalar)                                                                         \
   template ClausenTerm<Scalar> clausen_term(int, const Scalar&, const Scalar&);                              \
   template Scalar clausen(const Scalar&);
-TETRARCH_INSTANTIATE(double)
-TETRARCH_INSTANTIATE(Real50)
+TETRARCH_FOR_EACH_SCALAR(TETRARCH_INSTANTIATE)
 #undef TETRARCH_INSTANTIATE
 
 } // namespace tetrarch::hyperbolic

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "angle_data.hpp"
 #include "clausen.hpp"
-#include "rounding.hpp"
-#include "tetrarch/hyperbolic/real50.hpp"
+#include "tetrarch/numeric/instantiate.hpp"
+#include "tetrarch/numeric/scalar.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -56,7 +56,7 @@ Scalar sine_less_argument(const Scalar& x, const Scalar& sine) {
   const Scalar square = x * x;
   Scalar term = -x * square / 6;
   Scalar sum = term;
-  for (int k = 4; abs(term) > unit<Scalar>() * abs(sum); k += 2) {
+  for (int k = 4; abs(term) > numeric::unit<Scalar>() * abs(sum); k += 2) {
     term *= -square / (k * (k + 1));
     sum += term;
   }
@@ -82,14 +82,14 @@ public:
     const bool flat_signs = std::all_of(signs_.begin(), signs_.end(), [](int s) { return s == 0; });
     const Scalar re = whole_ - 2 * squares_;
     const Scalar im = flat_signs ? bends_ : sines_;
-    const Scalar re_error = re_error_ + unit<Scalar>() * abs(whole_);
+    const Scalar re_error = re_error_ + numeric::unit<Scalar>() * abs(whole_);
     const Scalar& im_error = flat_signs ? bends_error_ : sines_error_;
     const Scalar square = re * re + im * im;
     const Scalar value = atan2(Scalar(-im), Scalar(-re));
     if (!(16 * (re_error * re_error + im_error * im_error) < square))
       return {value, std::numeric_limits<Scalar>::infinity()};
     return {value, Scalar(1.5) * (abs(re) * im_error + abs(im) * re_error) / square +
-                       2 * unit<Scalar>() * abs(value)};
+                       2 * numeric::unit<Scalar>() * abs(value)};
   }
 
 private:
@@ -109,10 +109,10 @@ private:
       squares_ += sign * (h * h);
       sines_ += sign * sine;
       bends_ += sign * bend;
-      const Scalar error = x.error + 8 * unit<Scalar>() * x.size;
-      re_error_ += abs(sine) * error + 32 * unit<Scalar>() * h * h;
-      sines_error_ += error + 16 * unit<Scalar>() * abs(sine);
-      bends_error_ += 2 * h * h * error + 24 * unit<Scalar>() * abs(bend);
+      const Scalar error = x.error + 8 * numeric::unit<Scalar>() * x.size;
+      re_error_ += abs(sine) * error + 32 * numeric::unit<Scalar>() * h * h;
+      sines_error_ += error + 16 * numeric::unit<Scalar>() * abs(sine);
+      bends_error_ += 2 * h * h * error + 24 * numeric::unit<Scalar>() * abs(bend);
     }
   }
 
@@ -145,7 +145,7 @@ public:
 private:
   void add(const AngleSum<Scalar>& x, int half_turns, int times) {
     using std::abs;
-    const Scalar rounding = 4 * unit<Scalar>() * (x.size + abs(zeta_));
+    const Scalar rounding = 4 * numeric::unit<Scalar>() * (x.size + abs(zeta_));
     const ClausenTerm<Scalar> term = clausen_term(x.turns + half_turns, Scalar(x.rest + zeta_), rounding);
     const Scalar weight = times < 0 ? -times : times;
     // |Cl''(phi)| = |cot(phi/2)| / 2 <= 1 / |phi|; the segment to the exact argument stays beyond half of it.
@@ -153,7 +153,7 @@ private:
     const Scalar second = 2 * drift <= term.distance ? Scalar(drift * drift / term.distance)
                                                      : std::numeric_limits<Scalar>::infinity();
     value += times * term.value;
-    error += weight * (term.error + second + 8 * unit<Scalar>() * abs(term.value));
+    error += weight * (term.error + second + 8 * numeric::unit<Scalar>() * abs(term.value));
     slopes += weight * static_cast<int>(x.size > 0 ? 4 : 0) * term.slope;
   }
 
@@ -181,7 +181,9 @@ ClausenSum<Scalar> clausen_sum(const AngleData<Scalar>& data, const VertexTypes&
           (minus.slopes + plus.slopes) / 4};
 }
 
-template ClausenSum<double> clausen_sum(const AngleData<double>&, const VertexTypes&);
-template ClausenSum<Real50> clausen_sum(const AngleData<Real50>&, const VertexTypes&);
+#define TETRARCH_INSTANTIATE(Scalar)                                                                         \
+  template ClausenSum<Scalar> clausen_sum(const AngleData<Scalar>&, const VertexTypes&);
+TETRARCH_FOR_EACH_SCALAR(TETRARCH_INSTANTIATE)
+#undef TETRARCH_INSTANTIATE
 
 } // namespace tetrarch::hyperbolic

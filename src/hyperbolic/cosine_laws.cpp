@@ -2,7 +2,7 @@
 #include "tetrarch/hyperbolic/cosine_laws.hpp"
 
 #include "tetrarch/core/tet.hpp"
-#include "tetrarch/hyperbolic/real50.hpp"
+#include "tetrarch/numeric/instantiate.hpp"
 
 #include <cmath>
 
@@ -98,8 +98,7 @@ SixNumbers<Scalar> lengths_by_cosine_laws(const SixNumbers<Scalar>& angles) {
   template TriangleSides<Scalar> triangle_sides_from_angles(const SixNumbers<Scalar>&);                      \
   template SixNumbers<Scalar> angles_by_cosine_laws(const SixNumbers<Scalar>&);                              \
   template SixNumbers<Scalar> lengths_by_cosine_laws(const SixNumbers<Scalar>&);
-TETRARCH_INSTANTIATE(double)
-TETRARCH_INSTANTIATE(Real50)
+TETRARCH_FOR_EACH_SCALAR(TETRARCH_INSTANTIATE)
 #undef TETRARCH_INSTANTIATE
 
 } // namespace tetrarch::hyperbolic

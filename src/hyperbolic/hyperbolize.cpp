@@ -4,7 +4,7 @@
 #include "solvers.hpp"
 #include "structure_volume.hpp"
 #include "tetrarch/core/error.hpp"
-#include "tetrarch/hyperbolic/real50.hpp"
+#include "tetrarch/numeric/instantiate.hpp"
 
 #include <array>
 #include <cmath>
@@ -32,7 +32,7 @@ int first_degenerate(const State<Scalar>& state) {
   if (state.first_missing >= 0) return state.first_missing;
   for (std::size_t t = 0; t < state.angles.size(); ++t)
     for (const Scalar& theta : state.angles[t])
-      if (theta > pi<Scalar>() - flat_angle) return static_cast<int>(t);
+      if (theta > numeric::pi<Scalar>() - flat_angle) return static_cast<int>(t);
   return -1;
 }
 
@@ -147,8 +147,10 @@ Hyperbolization<Scalar> refine(const Skeleton& skeleton, const Hyperbolization<d
   return conclude(problem, newton(problem, start, goals, progress), goals);
 }
 
-template Hyperbolization<double> refine(const Skeleton&, const Hyperbolization<double>&, const Progress&);
-template Hyperbolization<Real50> refine(const Skeleton&, const Hyperbolization<double>&, const Progress&);
+#define TETRARCH_INSTANTIATE(Scalar)                                                                         \
+  template Hyperbolization<Scalar> refine(const Skeleton&, const Hyperbolization<double>&, const Progress&);
+TETRARCH_FOR_EACH_SCALAR(TETRARCH_INSTANTIATE)
+#undef TETRARCH_INSTANTIATE
 
 std::string describe(const Hyperbolization<double>& result, const Skeleton& skeleton) {
   const std::string edge = "edge " + std::to_string(result.edge.value);

@@ -49,8 +49,8 @@ EdgeForm<Scalar> edge_form(VertexType a, VertexType b, const Scalar& length) {
 }
 
 template <class Scalar>
-Matrix4<Scalar> gram(const std::array<EdgeForm<Scalar>, 6>& form, const VertexTypes& types) {
-  Matrix4<Scalar> m;
+numeric::Matrix4<Scalar> gram(const std::array<EdgeForm<Scalar>, 6>& form, const VertexTypes& types) {
+  numeric::Matrix4<Scalar> m;
   for (int i = 0; i < 4; ++i) m[i][i] = norm(types[i]);
   for (int e = 0; e < 6; ++e) {
     const auto [i, j] = edge_vertex[e];
@@ -63,14 +63,14 @@ Matrix4<Scalar> gram(const std::array<EdgeForm<Scalar>, 6>& form, const VertexTy
 /// The adjugate A of W, and s = sqrt(-det W) where the tetrahedron exists.
 template <class Scalar>
 struct Shape {
-  Matrix4<Scalar> a;
+  numeric::Matrix4<Scalar> a;
   Scalar s;
   bool exists;
 
-  explicit Shape(const Matrix4<Scalar>& w) {
+  explicit Shape(const numeric::Matrix4<Scalar>& w) {
     using std::sqrt;
-    const Minors<Scalar> minors(w);
-    a = adjugate(w, minors);
+    const numeric::Minors<Scalar> minors(w);
+    a = numeric::adjugate(w, minors);
     const Scalar det = minors.determinant();
     exists = det < 0 && a[0][0] < 0 && a[1][1] < 0 && a[2][2] < 0 && a[3][3] < 0;
     s = exists ? Scalar(sqrt(-det)) : Scalar(0);
@@ -91,7 +91,7 @@ SixNumbers<Scalar> angles(const Shape<Scalar>& shape, const std::array<EdgeForm<
 
 /// d theta_ij / d l_ij. The bracket is what remains of d(W^-1) = -W^-1 dW W^-1.
 template <class Scalar>
-Scalar own_derivative(const Matrix4<Scalar>& a, const Scalar& s, int e) {
+Scalar own_derivative(const numeric::Matrix4<Scalar>& a, const Scalar& s, int e) {
   const auto [i, j] = edge_vertex[e];
   const auto [k, l] = edge_vertex[opposite_edge(e)];
   const Scalar bracket = a[i][k] * a[j][l] + a[j][k] * a[i][l] -

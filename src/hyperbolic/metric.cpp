@@ -3,7 +3,7 @@
 
 #include "kernel.hpp"
 #include "tetrarch/core/error.hpp"
-#include "tetrarch/hyperbolic/real50.hpp"
+#include "tetrarch/numeric/instantiate.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -49,7 +49,7 @@ template <class Scalar>
 Table<EdgeId, Scalar> edge_curvature(const Skeleton& skeleton, const AngleTable<Scalar>& angles) {
   Table<EdgeId, Scalar> curvature(skeleton.edge_count());
   for (const EdgeId e : all<EdgeId>(skeleton.edge_count())) {
-    Scalar k = skeleton.is_boundary(e) ? pi<Scalar>() : Scalar(2 * pi<Scalar>());
+    Scalar k = skeleton.is_boundary(e) ? numeric::pi<Scalar>() : Scalar(2 * numeric::pi<Scalar>());
     for (const Walk& w : skeleton.around(e)) k -= angles[w.tet][w.edge().edge];
     curvature[e] = k;
   }
@@ -60,9 +60,9 @@ template <class Scalar>
 Table<VertexId, Scalar> vertex_curvature(const Skeleton& skeleton, const AngleTable<Scalar>& angles) {
   Table<VertexId, Scalar> curvature(skeleton.vertex_count());
   for (const VertexId v : all<VertexId>(skeleton.vertex_count())) {
-    Scalar k = 2 * skeleton.link(v).euler * pi<Scalar>();
+    Scalar k = 2 * skeleton.link(v).euler * numeric::pi<Scalar>();
     for (const TetVertex corner : skeleton.preimages(v)) {
-      k += pi<Scalar>();
+      k += numeric::pi<Scalar>();
       for (int w = 0; w < 4; ++w)
         if (w != corner.vertex) k -= angles[corner.tet][edge_number[corner.vertex][w]];
     }
@@ -89,8 +89,7 @@ Scalar max_curvature(const Table<EdgeId, Scalar>& curvature) {
   template Table<VertexId, Scalar> vertex_curvature(const Skeleton&, const AngleTable<Scalar>&);             \
   template Scalar total_squared_curvature(const Table<EdgeId, Scalar>&);                                     \
   template Scalar max_curvature(const Table<EdgeId, Scalar>&);
-TETRARCH_INSTANTIATE(double)
-TETRARCH_INSTANTIATE(Real50)
+TETRARCH_FOR_EACH_SCALAR(TETRARCH_INSTANTIATE)
 #undef TETRARCH_INSTANTIATE
 
 } // namespace tetrarch::hyperbolic

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "solvers.hpp"
-#include "tetrarch/hyperbolic/real50.hpp"
+#include "tetrarch/numeric/instantiate.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -78,7 +78,9 @@ Run<Scalar> newton(const Problem& problem, std::vector<Scalar> start, const Goal
   return run;
 }
 
-template Run<double> newton(const Problem&, std::vector<double>, const Goals<double>&, const Progress&);
-template Run<Real50> newton(const Problem&, std::vector<Real50>, const Goals<Real50>&, const Progress&);
+#define TETRARCH_INSTANTIATE(Scalar)                                                                         \
+  template Run<Scalar> newton(const Problem&, std::vector<Scalar>, const Goals<Scalar>&, const Progress&);
+TETRARCH_FOR_EACH_SCALAR(TETRARCH_INSTANTIATE)
+#undef TETRARCH_INSTANTIATE
 
 } // namespace tetrarch::hyperbolic

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "newton_system.hpp"
 
-#include "tetrarch/hyperbolic/real50.hpp"
+#include "tetrarch/numeric/instantiate.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -82,7 +82,8 @@ void NewtonSystem<Scalar>::solve(const Problem& problem, const State<Scalar>& st
     for (int j = i + 1; j < size_; ++j) step[i] -= factor_[j * size_ + i] * step[j];
 }
 
-template class NewtonSystem<double>;
-template class NewtonSystem<Real50>;
+#define TETRARCH_INSTANTIATE(Scalar) template class NewtonSystem<Scalar>;
+TETRARCH_FOR_EACH_SCALAR(TETRARCH_INSTANTIATE)
+#undef TETRARCH_INSTANTIATE
 
 } // namespace tetrarch::hyperbolic

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "problem.hpp"
 
-#include "tetrarch/hyperbolic/real50.hpp"
+#include "tetrarch/numeric/instantiate.hpp"
 
 #include <algorithm>
 
@@ -37,7 +37,7 @@ template <class Scalar>
 void State<Scalar>::evaluate(const Problem& problem, bool with_jacobian) {
   for (std::size_t e = 0; e < lengths.size(); ++e) {
     form[e] = kernel::edge_form(problem.ends[e][0], problem.ends[e][1], lengths[e]);
-    curvature[e] = 2 * pi<Scalar>();
+    curvature[e] = 2 * numeric::pi<Scalar>();
   }
   first_missing = -1;
   std::array<kernel::EdgeForm<Scalar>, 6> local;
@@ -82,7 +82,8 @@ Scalar State<Scalar>::longest() const {
   return abs(lengths[longest_edge()]);
 }
 
-template struct State<double>;
-template struct State<Real50>;
+#define TETRARCH_INSTANTIATE(Scalar) template struct State<Scalar>;
+TETRARCH_FOR_EACH_SCALAR(TETRARCH_INSTANTIATE)
+#undef TETRARCH_INSTANTIATE
 
 } // namespace tetrarch::hyperbolic

@@ -2,8 +2,8 @@
 #include "structure_volume.hpp"
 
 #include "angle_data.hpp"
-#include "rounding.hpp"
-#include "tetrarch/hyperbolic/real50.hpp"
+#include "tetrarch/numeric/instantiate.hpp"
+#include "tetrarch/numeric/scalar.hpp"
 
 #include <cmath>
 #include <limits>
@@ -37,8 +37,8 @@ struct AngleTotal {
   Scalar curvature() const {
     constexpr double rest_of_pi = 1.2246467991473532e-16;
     CarefulSum<Scalar> k = rest;
-    for (int turn = turns; turn < 2; ++turn) k.add(-pi<Scalar>());
-    for (int turn = 2; turn < turns; ++turn) k.add(pi<Scalar>());
+    for (int turn = turns; turn < 2; ++turn) k.add(-numeric::pi<Scalar>());
+    for (int turn = 2; turn < turns; ++turn) k.add(numeric::pi<Scalar>());
     if constexpr (std::is_same_v<Scalar, double>) k.lost += (turns - 2) * rest_of_pi;
     return -k.total();
   }
@@ -75,14 +75,16 @@ Estimate<Scalar> structure_volume(const Problem& problem, const State<Scalar>& s
   for (std::size_t e = 0; e < around.size(); ++e) {
     const Scalar k = around[e].curvature();
     volume.add(-state.lengths[e] * k / 2);
-    error += abs(state.lengths[e]) * (abs(k) + unit<Scalar>()) * unit<Scalar>() +
+    error += abs(state.lengths[e]) * (abs(k) + numeric::unit<Scalar>()) * numeric::unit<Scalar>() +
              (abs(k) + around[e].error) * last_step;
   }
   const Scalar value = volume.total();
-  return {value, error + 2 * unit<Scalar>() * abs(value)};
+  return {value, error + 2 * numeric::unit<Scalar>() * abs(value)};
 }
 
-template Estimate<double> structure_volume(const Problem&, const State<double>&, const double&);
-template Estimate<Real50> structure_volume(const Problem&, const State<Real50>&, const Real50&);
+#define TETRARCH_INSTANTIATE(Scalar)                                                                         \
+  template Estimate<Scalar> structure_volume(const Problem&, const State<Scalar>&, const Scalar&);
+TETRARCH_FOR_EACH_SCALAR(TETRARCH_INSTANTIATE)
+#undef TETRARCH_INSTANTIATE
 
 } // namespace tetrarch::hyperbolic

@@ -3,7 +3,7 @@
 
 #include "kernel.hpp"
 #include "tetrarch/core/error.hpp"
-#include "tetrarch/hyperbolic/real50.hpp"
+#include "tetrarch/numeric/instantiate.hpp"
 
 namespace tetrarch::hyperbolic {
 namespace {
@@ -21,9 +21,9 @@ std::array<kernel::EdgeForm<Scalar>, 6> edge_forms(const SixNumbers<Scalar>& len
 
 /// G_kk = 1, G_kl = -cos theta_ij: the Gram matrix of the outward face normals.
 template <class Scalar>
-Matrix4<Scalar> normal_gram_matrix(const SixNumbers<Scalar>& angles) {
+numeric::Matrix4<Scalar> normal_gram_matrix(const SixNumbers<Scalar>& angles) {
   using std::cos;
-  Matrix4<Scalar> g;
+  numeric::Matrix4<Scalar> g;
   for (int k = 0; k < 4; ++k) g[k][k] = 1;
   for (int e = 0; e < 6; ++e) {
     const auto [k, l] = edge_vertex[opposite_edge(e)];
@@ -59,7 +59,7 @@ Scalar signed_length(VertexType a, VertexType b, const Scalar& w) {
 }
 
 template <class Scalar>
-Matrix4<Scalar> gram_matrix(const SixNumbers<Scalar>& lengths, const VertexTypes& types) {
+numeric::Matrix4<Scalar> gram_matrix(const SixNumbers<Scalar>& lengths, const VertexTypes& types) {
   return kernel::gram(edge_forms(lengths, types), types);
 }
 
@@ -100,7 +100,7 @@ template <class Scalar>
 VertexTypes vertex_types_of_angles(const SixNumbers<Scalar>& angles, const Scalar& tolerance) {
   VertexTypes types{};
   for (int v = 0; v < 4; ++v) {
-    Scalar excess = -pi<Scalar>();
+    Scalar excess = -numeric::pi<Scalar>();
     for (int w = 0; w < 4; ++w)
       if (w != v) excess += angles[edge_number[v][w]];
     types[v] = excess < -tolerance  ? VertexType::hyperideal
@@ -115,10 +115,10 @@ std::optional<SixNumbers<Scalar>> lengths_from_angles(const SixNumbers<Scalar>& 
                                                       const VertexTypes& types) {
   using std::abs;
   using std::sqrt;
-  const Matrix4<Scalar> g = normal_gram_matrix(angles);
-  const Minors<Scalar> minors(g);
+  const numeric::Matrix4<Scalar> g = normal_gram_matrix(angles);
+  const numeric::Minors<Scalar> minors(g);
   if (!(minors.determinant() < 0)) return std::nullopt;
-  const Matrix4<Scalar> b = adjugate(g, minors);
+  const numeric::Matrix4<Scalar> b = numeric::adjugate(g, minors);
   std::array<Scalar, 4> scale;
   for (int i = 0; i < 4; ++i) {
     if (types[i] != VertexType::ideal && !(b[i][i] * norm(types[i]) < 0)) return std::nullopt;
@@ -138,7 +138,7 @@ std::optional<SixNumbers<Scalar>> lengths_from_angles(const SixNumbers<Scalar>& 
 #define TETRARCH_INSTANTIATE(Scalar)                                                                         \
   template Scalar inner_product(VertexType, VertexType, const Scalar&);                                      \
   template Scalar signed_length(VertexType, VertexType, const Scalar&);                                      \
-  template Matrix4<Scalar> gram_matrix(const SixNumbers<Scalar>&, const VertexTypes&);                       \
+  template numeric::Matrix4<Scalar> gram_matrix(const SixNumbers<Scalar>&, const VertexTypes&);              \
   template bool exists(const SixNumbers<Scalar>&, const VertexTypes&);                                       \
   template std::optional<SixNumbers<Scalar>> dihedral_angles(const SixNumbers<Scalar>&, const VertexTypes&); \
   template SixNumbers<Scalar> extended_dihedral_angles(const SixNumbers<Scalar>&, const VertexTypes&);       \
@@ -146,8 +146,7 @@ std::optional<SixNumbers<Scalar>> lengths_from_angles(const SixNumbers<Scalar>& 
   template VertexTypes vertex_types_of_angles(const SixNumbers<Scalar>&, const Scalar&);                     \
   template std::optional<SixNumbers<Scalar>> lengths_from_angles(const SixNumbers<Scalar>&,                  \
                                                                  const VertexTypes&);
-TETRARCH_INSTANTIATE(double)
-TETRARCH_INSTANTIATE(Real50)
+TETRARCH_FOR_EACH_SCALAR(TETRARCH_INSTANTIATE)
 #undef TETRARCH_INSTANTIATE
 
 } // namespace tetrarch::hyperbolic

@@ -2,7 +2,7 @@
 #include "tetrarch/hyperbolic/volume.hpp"
 
 #include "angle_data.hpp"
-#include "tetrarch/hyperbolic/real50.hpp"
+#include "tetrarch/numeric/instantiate.hpp"
 
 #include <cmath>
 #include <limits>
@@ -18,12 +18,12 @@ void split(const SixNumbers<Scalar>& angles, AngleData<Scalar>& data) {
   constexpr double rest_of_pi = 1.2246467991473532e-16; // the sine of the double nearest to pi
   const bool is_double = std::numeric_limits<Scalar>::digits == std::numeric_limits<double>::digits;
   for (int e = 0; e < 6; ++e) {
-    data.turns[e] = 2 * angles[e] > pi<Scalar>() ? 1 : 0;
+    data.turns[e] = 2 * angles[e] > numeric::pi<Scalar>() ? 1 : 0;
     data.rest[e] = angles[e];
-    if (angles[e] == pi<Scalar>()) {
+    if (angles[e] == numeric::pi<Scalar>()) {
       data.rest[e] = 0; // meant to be pi
     } else if (data.turns[e] == 1) {
-      data.rest[e] = (angles[e] - pi<Scalar>()) - (is_double ? rest_of_pi : 0.0);
+      data.rest[e] = (angles[e] - numeric::pi<Scalar>()) - (is_double ? rest_of_pi : 0.0);
     }
   }
 }
@@ -39,7 +39,7 @@ Scalar minus_determinant(const AngleData<Scalar>& data) {
   const auto sign = [&](int k, int l) { return data.turns[opposite_edge(edge_number[k][l])] == 0 ? -1 : 1; };
   std::array<int, 4> p{1, sign(0, 1), sign(0, 2), sign(0, 3)};
   const bool flat_signs = p[1] * p[2] == sign(1, 2) && p[1] * p[3] == sign(1, 3) && p[2] * p[3] == sign(2, 3);
-  Matrix4<Scalar> m;
+  numeric::Matrix4<Scalar> m;
   for (int k = 0; k < 4; ++k) {
     m[k][k] = flat_signs ? 0 : 1;
     for (int l = 0; l < k; ++l) {
@@ -49,10 +49,10 @@ Scalar minus_determinant(const AngleData<Scalar>& data) {
       m[l][k] = m[k][l];
     }
   }
-  const Minors<Scalar> minors(m);
+  const numeric::Minors<Scalar> minors(m);
   if (!flat_signs) return -minors.determinant();
   Scalar sum = 0;
-  for (const auto& row : adjugate(m, minors))
+  for (const auto& row : numeric::adjugate(m, minors))
     for (const Scalar& entry : row) sum += entry;
   return 8 * sum - 16 * minors.determinant();
 }
@@ -91,7 +91,7 @@ Scalar volume(const SixNumbers<Scalar>& angles) {
 namespace {
 
 std::optional<Estimate<double>> in_60_digits(const SixNumbers<double>& lengths, const VertexTypes& types) {
-  SixNumbers<Real50> precise;
+  SixNumbers<numeric::Real50> precise;
   for (int e = 0; e < 6; ++e) precise[e] = lengths[e];
   const auto estimate = volume(precise, types);
   if (!estimate) return std::nullopt;
@@ -123,8 +123,7 @@ std::optional<Estimate<Scalar>> volume(const SixNumbers<Scalar>& lengths, const 
   template std::optional<AngleData<Scalar>> angle_data_of(const SixNumbers<Scalar>&);                        \
   template Scalar volume(const SixNumbers<Scalar>&);                                                         \
   template std::optional<Estimate<Scalar>> volume(const SixNumbers<Scalar>&, const VertexTypes&);
-TETRARCH_INSTANTIATE(double)
-TETRARCH_INSTANTIATE(Real50)
+TETRARCH_FOR_EACH_SCALAR(TETRARCH_INSTANTIATE)
 #undef TETRARCH_INSTANTIATE
 
 } // namespace tetrarch::hyperbolic

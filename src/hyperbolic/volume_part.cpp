@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "angle_data.hpp"
-#include "rounding.hpp"
-#include "tetrarch/hyperbolic/real50.hpp"
+#include "tetrarch/numeric/instantiate.hpp"
+#include "tetrarch/numeric/scalar.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -26,8 +26,9 @@ Scalar largest_defect(const AngleData<Scalar>& data, const VertexTypes& types) {
       rest += data.rest[edge_number[v][w]];
       size += abs(data.rest[edge_number[v][w]]);
     }
-    if (turns != 0) size += pi<Scalar>();
-    worst = std::max(worst, Scalar(abs(Scalar(rest + turns * pi<Scalar>())) + 4 * unit<Scalar>() * size));
+    if (turns != 0) size += numeric::pi<Scalar>();
+    worst = std::max(worst, Scalar(abs(Scalar(rest + turns * numeric::pi<Scalar>())) +
+                                   4 * numeric::unit<Scalar>() * size));
   }
   return worst;
 }
@@ -56,8 +57,8 @@ std::optional<VolumePart<Scalar>> part_in_scalar(const SixNumbers<Scalar>& lengt
 /// In 60 digits, and brought back so that the value fits the rounded angles.
 std::optional<VolumePart<double>> part_in_60_digits(const SixNumbers<double>& lengths,
                                                     const VertexTypes& types) {
-  SixNumbers<Real50> precise;
-  std::array<kernel::EdgeForm<Real50>, 6> form;
+  SixNumbers<numeric::Real50> precise;
+  std::array<kernel::EdgeForm<numeric::Real50>, 6> form;
   for (int e = 0; e < 6; ++e) {
     const auto [i, j] = edge_vertex[e];
     precise[e] = lengths[e];
@@ -67,16 +68,16 @@ std::optional<VolumePart<double>> part_in_60_digits(const SixNumbers<double>& le
   if (!part) return std::nullopt;
   VolumePart<double> rounded;
   rounded.data.turns = part->data.turns;
-  Real50 value = part->value;
+  numeric::Real50 value = part->value;
   for (int e = 0; e < 6; ++e) {
     rounded.data.rest[e] = static_cast<double>(part->data.rest[e]);
-    rounded.data.rest_error[e] = unit<double>() * std::abs(rounded.data.rest[e]);
+    rounded.data.rest_error[e] = numeric::unit<double>() * std::abs(rounded.data.rest[e]);
     value += precise[e] * (part->data.rest[e] - rounded.data.rest[e]) / 2;
   }
   rounded.data.spread = static_cast<double>(part->data.spread);
-  rounded.data.spread_error = unit<double>() * rounded.data.spread;
+  rounded.data.spread_error = numeric::unit<double>() * rounded.data.spread;
   rounded.value = static_cast<double>(value);
-  rounded.error = static_cast<double>(part->error) + 2 * unit<double>() * std::abs(rounded.value);
+  rounded.error = static_cast<double>(part->error) + 2 * numeric::unit<double>() * std::abs(rounded.value);
   return rounded;
 }
 
@@ -92,9 +93,10 @@ std::optional<VolumePart<Scalar>> volume_part(const SixNumbers<Scalar>& lengths,
   return part;
 }
 
-template std::optional<VolumePart<double>> volume_part(const SixNumbers<double>&, const VertexTypes&,
-                                                       const std::array<kernel::EdgeForm<double>, 6>&);
-template std::optional<VolumePart<Real50>> volume_part(const SixNumbers<Real50>&, const VertexTypes&,
-                                                       const std::array<kernel::EdgeForm<Real50>, 6>&);
+#define TETRARCH_INSTANTIATE(Scalar)                                                                         \
+  template std::optional<VolumePart<Scalar>> volume_part(const SixNumbers<Scalar>&, const VertexTypes&,      \
+                                                         const std::array<kernel::EdgeForm<Scalar>, 6>&);
+TETRARCH_FOR_EACH_SCALAR(TETRARCH_INSTANTIATE)
+#undef TETRARCH_INSTANTIATE
 
 } // namespace tetrarch::hyperbolic

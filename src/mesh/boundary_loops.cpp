@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "tetrarch/mesh/boundary_loops.hpp"
 
+#include "tetrarch/numeric/vector.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -9,11 +11,7 @@
 namespace tetrarch::mesh {
 namespace {
 
-using Vector = std::array<double, 3>;
-
-Vector difference(const Vector& p, const Vector& q) {
-  return {p[0] - q[0], p[1] - q[1], p[2] - q[2]};
-}
+using namespace numeric;
 
 BoundaryLoop measured(const TriangleMesh& mesh, std::vector<SideEnd> sides) {
   const auto point = [&](SideEnd e) -> const Vector& { return mesh.points[mesh.surface.vertex(e)]; };
@@ -23,17 +21,16 @@ BoundaryLoop measured(const TriangleMesh& mesh, std::vector<SideEnd> sides) {
   Vector twice_area{};
   for (const SideEnd e : sides) {
     const SideEnd next{e.side, !e.at_start};
-    const Vector along = difference(point(next), point(e));
-    const Vector p = difference(point(e), origin);
-    const Vector q = difference(point(next), origin);
-    lengths.push_back(std::hypot(along[0], along[1], along[2]));
+    const Vector along = point(next) - point(e);
+    const Vector p = point(e) - origin;
+    const Vector q = point(next) - origin;
+    lengths.push_back(length(along));
     for (int k = 0; k < 3; ++k)
       twice_area[k] += p[(k + 1) % 3] * q[(k + 2) % 3] - p[(k + 2) % 3] * q[(k + 1) % 3];
   }
   // Summed in order of size, congruent loops are equally long, wherever they begin.
   std::sort(lengths.begin(), lengths.end());
-  return {std::move(sides), std::accumulate(lengths.begin(), lengths.end(), 0.0),
-          std::hypot(twice_area[0], twice_area[1], twice_area[2]) / 2};
+  return {std::move(sides), std::accumulate(lengths.begin(), lengths.end(), 0.0), length(twice_area) / 2};
 }
 
 } // namespace

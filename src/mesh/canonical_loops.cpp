@@ -4,13 +4,12 @@
 #include "lay_path.hpp"
 #include "tetrarch/core/error.hpp"
 #include "tetrarch/mesh/cuts.hpp"
-#include "tetrarch/mesh/distance.hpp"
+#include "tetrarch/numeric/shortest_paths.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <functional>
-#include <limits>
 #include <map>
 #include <optional>
 #include <queue>
@@ -20,7 +19,7 @@
 namespace tetrarch::mesh {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
+using numeric::infinity;
 
 /// The marks along a boundary curve, one for each run.
 std::vector<int> runs(const MarkedSurface& surface, const std::vector<SideEnd>& curve) {
@@ -217,27 +216,14 @@ std::vector<char> Builder::grow_disk(const Surface& open) const {
     };
     return std::hypot(gap(0), gap(1), gap(2));
   };
-  std::vector<double> distance(static_cast<std::size_t>(open.triangle_count()), infinity);
-  std::vector<Side> entered(distance.size());
-  std::priority_queue<std::pair<double, int>, std::vector<std::pair<double, int>>, std::greater<>> queue;
-  distance[x.side.triangle()] = 0;
-  queue.emplace(0, x.side.triangle());
-  while (!queue.empty()) {
-    const auto [so_far, t] = queue.top();
-    queue.pop();
-    if (so_far > distance[t]) continue;
-    for (const Side s : sides_of(t)) {
-      if (open.is_boundary(s)) continue;
-      const int next = open.mate(s).triangle();
-      const double further = so_far + cost(s);
-      if (further >= distance[next]) continue;
-      distance[next] = further;
-      entered[next] = s;
-      queue.emplace(further, next);
-    }
-  }
+  const auto steps = [&](int t, const auto& visit) {
+    for (const Side s : sides_of(t))
+      if (!open.is_boundary(s)) visit(open.mate(s).triangle(), cost(s), s);
+  };
+  const auto paths = numeric::shortest_paths(static_cast<std::size_t>(open.triangle_count()),
+                                             {x.side.triangle()}, Side(), steps);
   std::vector<char> crossed(surface_.mark.size(), 0);
-  for (const Side s : entered)
+  for (const Side s : paths.last)
     if (s.exists()) crossed[s.value] = crossed[open.mate(s).value] = 1;
   return crossed;
 }
@@ -361,8 +347,7 @@ int lengthen(MarkedSurface& surface, int mark, int edges) {
     return std::max(halvings[surface.surface.from(s)], halvings[surface.surface.to(s)]);
   };
   const auto length = [&](Side s) {
-    if (surface.points.empty()) return std::ldexp(1.0, -depth(s));
-    return distance(surface.points[surface.surface.from(s)], surface.points[surface.surface.to(s)]);
+    return std::ldexp(side_length(surface, s), surface.points.empty() ? -depth(s) : 0);
   };
   using Entry = std::pair<double, int>; // minus the length, the side
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;

@@ -2,7 +2,7 @@
 #include "tetrarch/mesh/cuts.hpp"
 
 #include "tetrarch/core/error.hpp"
-#include "tetrarch/mesh/distance.hpp"
+#include "tetrarch/numeric/vector.hpp"
 #include "tree_cotree.hpp"
 
 #include <algorithm>
@@ -81,13 +81,15 @@ int number_arcs(MarkedSurface& surface, const CutGraph& graph) {
 
 } // namespace
 
+double side_length(const MarkedSurface& surface, Side s) {
+  if (surface.points.empty()) return 1.0;
+  return numeric::distance(surface.points[surface.surface.from(s)], surface.points[surface.surface.to(s)]);
+}
+
 std::vector<double> side_lengths(const MarkedSurface& surface) {
-  std::vector<double> length(static_cast<std::size_t>(surface.surface.side_count()), 1.0);
-  if (surface.points.empty()) return length;
-  for (int k = 0; k < surface.surface.side_count(); ++k) {
-    length[k] =
-        distance(surface.points[surface.surface.from(Side(k))], surface.points[surface.surface.to(Side(k))]);
-  }
+  std::vector<double> length;
+  length.reserve(static_cast<std::size_t>(surface.surface.side_count()));
+  for (int k = 0; k < surface.surface.side_count(); ++k) length.push_back(side_length(surface, Side(k)));
   return length;
 }
 
@@ -132,8 +134,7 @@ std::vector<Loop> generators(const MarkedSurface& surface, int root) {
   for (const Side s : close_loops(surface.surface, length, paths, true).edges) {
     Loop loop;
     const auto up = [&](int v, auto job) {
-      for (SideEnd e = paths.reached[v]; e.side.exists(); e = paths.reached[surface.surface.vertex(e)])
-        job(e);
+      for (SideEnd e = paths.last[v]; e.side.exists(); e = paths.last[surface.surface.vertex(e)]) job(e);
     };
     up(surface.surface.from(s), [&](SideEnd e) { loop.push_back(e); });
     std::reverse(loop.begin(), loop.end());

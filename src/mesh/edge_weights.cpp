@@ -2,6 +2,7 @@
 #include "tetrarch/mesh/edge_weights.hpp"
 
 #include "tetrarch/core/tet.hpp"
+#include "tetrarch/numeric/vector.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -9,31 +10,18 @@
 namespace tetrarch::mesh {
 namespace {
 
-using Vector = std::array<double, 3>;
-
-Vector between(const Vector& p, const Vector& q) {
-  return {q[0] - p[0], q[1] - p[1], q[2] - p[2]};
-}
-
-Vector cross(const Vector& a, const Vector& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-
-double dot(const Vector& a, const Vector& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
+using namespace numeric;
 
 /// Of each edge of one tetrahedron. Twice the areas of two faces, as vectors n_i and n_j pointing inward, and
 /// the dihedral angle between them: l_kl cot(theta_kl) = -n_i . n_j / (6 volume).
 std::array<double, 6> weights(const TetMesh& mesh, const std::array<int, 4>& v) {
-  const Vector a = between(mesh.points[v[0]], mesh.points[v[1]]);
-  const Vector b = between(mesh.points[v[0]], mesh.points[v[2]]);
-  const Vector c = between(mesh.points[v[0]], mesh.points[v[3]]);
+  const Vector a = mesh.points[v[1]] - mesh.points[v[0]];
+  const Vector b = mesh.points[v[2]] - mesh.points[v[0]];
+  const Vector c = mesh.points[v[3]] - mesh.points[v[0]];
   const Vector bc = cross(b, c);
   const Vector ca = cross(c, a);
   const Vector ab = cross(a, b);
-  const std::array<Vector, 4> normal{
-      Vector{-bc[0] - ca[0] - ab[0], -bc[1] - ca[1] - ab[1], -bc[2] - ca[2] - ab[2]}, bc, ca, ab};
+  const std::array<Vector, 4> normal{-bc - ca - ab, bc, ca, ab};
   const double six_volumes = dot(a, bc);
   std::array<double, 6> weight{};
   for (int e = 0; e < 6; ++e)

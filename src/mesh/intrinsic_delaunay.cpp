@@ -2,12 +2,13 @@
 #include "tetrarch/mesh/intrinsic_delaunay.hpp"
 
 #include "tetrarch/core/error.hpp"
-#include "tetrarch/mesh/distance.hpp"
 #include "tetrarch/mesh/laplacian.hpp"
+#include "tetrarch/numeric/vector.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <string>
 
 namespace tetrarch::mesh {
 namespace {
@@ -18,22 +19,31 @@ constexpr double tolerance = 1e-12;
 /// The apex of the triangle at s, where s runs from (0, 0) along the first axis. The area is Kahan's, which
 /// stays exact for needles.
 std::array<double, 2> apex(const std::vector<double>& length, Side s) {
-  const double base = length[s.value];
-  const double right = length[s.next().value];
-  const double left = length[s.previous().value];
+  double base = length[s.value];
+  double right = length[s.next().value];
+  double left = length[s.previous().value];
+  // Products of four tiny lengths underflow, of huge ones overflow; powers of two change no digit.
+  int power = 0;
+  constexpr double least = 1e-60;
+  constexpr double most = 1e60;
+  if (base > 0 && !(least < base && base < most)) power = std::ilogb(base);
+  if (power != 0)
+    for (double* const x : {&base, &right, &left}) *x = std::ldexp(*x, -power);
   std::array sorted{base, right, left};
   std::sort(sorted.begin(), sorted.end());
   const auto [c, b, a] = sorted;
   const double squared = (a + (b + c)) * (c - (a - b)) * (c + (a - b)) * (a + (b - c));
   const double twice_area = std::sqrt(std::max(squared, 0.0)) / 2;
-  return {(base + (left - right) * (left + right) / base) / 2, twice_area / base};
+  const std::array<double, 2> result{(base + (left - right) * (left + right) / base) / 2, twice_area / base};
+  if (power == 0) return result;
+  return {std::ldexp(result[0], power), std::ldexp(result[1], power)};
 }
 
 /// Half the cotangent of the angle opposite s.
 double half_cotangent(const std::vector<double>& length, Side s) {
   const double base = length[s.value];
   const auto [x, y] = apex(length, s);
-  return (y - x * (base - x) / y) / (2 * base);
+  return (y - x * ((base - x) / y)) / (2 * base);
 }
 
 /// The flipping itself: a queue of edges that may have to be flipped.
@@ -112,7 +122,8 @@ IntrinsicTriangulation intrinsic_delaunay(const TriangleMesh& mesh, std::vector<
   for (int k = 0; k < mesh.surface.side_count(); ++k) {
     if (mesh.surface.is_turned(Side(k)))
       throw PreconditionError("intrinsic Delaunay triangulations need oriented surfaces");
-    out.length[k] = distance(mesh.points[out.surface.from(Side(k))], mesh.points[out.surface.to(Side(k))]);
+    out.length[k] =
+        numeric::distance(mesh.points[out.surface.from(Side(k))], mesh.points[out.surface.to(Side(k))]);
   }
   Flipper(out, closed).run();
   return out;
@@ -121,7 +132,10 @@ IntrinsicTriangulation intrinsic_delaunay(const TriangleMesh& mesh, std::vector<
 std::vector<double> half_cotangents(const IntrinsicTriangulation& triangulation) {
   std::vector<double> weight(triangulation.length.size());
   for (std::size_t k = 0; k < weight.size(); ++k)
-    weight[k] = half_cotangent(triangulation.length, Side(static_cast<int>(k)));
+    if (weight[k] = half_cotangent(triangulation.length, Side(static_cast<int>(k)));
+        !std::isfinite(weight[k]))
+      throw InputError("triangle " + std::to_string(Side(static_cast<int>(k)).triangle()) +
+                       " of the intrinsic triangulation is so thin that its lengths leave it no area");
   return weight;
 }
 

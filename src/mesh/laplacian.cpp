@@ -2,7 +2,8 @@
 #include "tetrarch/mesh/laplacian.hpp"
 
 #include "tetrarch/core/error.hpp"
-#include "tetrarch/mesh/sparse_cholesky.hpp"
+#include "tetrarch/numeric/sparse_cholesky.hpp"
+#include "tetrarch/numeric/vector.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -17,13 +18,19 @@ namespace {
 /// fewer than four digits of it would be left.
 constexpr double largest_cotangent = 1e12;
 
-double cotangent(const std::array<double, 3>& at, const std::array<double, 3>& p,
-                 const std::array<double, 3>& q) {
-  const std::array a{p[0] - at[0], p[1] - at[1], p[2] - at[2]};
-  const std::array b{q[0] - at[0], q[1] - at[1], q[2] - at[2]};
-  const double twice_area =
-      std::hypot(a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]);
-  return (a[0] * b[0] + a[1] * b[1] + a[2] * b[2]) / twice_area;
+double cotangent(const numeric::Point& at, const numeric::Point& p, const numeric::Point& q) {
+  using namespace numeric;
+  Vector a = p - at;
+  Vector b = q - at;
+  // Products of three tiny edges underflow, of huge ones overflow; powers of two change no digit.
+  double size = 0;
+  for (std::size_t k = 0; k < 3; ++k) size = std::max({size, std::abs(a[k]), std::abs(b[k])});
+  constexpr double least = 1e-60;
+  constexpr double most = 1e60;
+  if (!(least < size && size < most) && size > 0 && std::isfinite(size))
+    for (auto* const e : {&a, &b})
+      for (std::size_t k = 0; k < 3; ++k) (*e)[k] = std::ldexp((*e)[k], -std::ilogb(size));
+  return dot(a, b) / length(cross(a, b));
 }
 
 } // namespace
@@ -72,7 +79,7 @@ int tidy(std::vector<std::pair<int, double>>& column) {
   return count;
 }
 
-SymmetricMatrix laplacian(const Surface& surface, const std::vector<double>& weight) {
+numeric::SymmetricMatrix laplacian(const Surface& surface, const std::vector<double>& weight) {
   const auto size = static_cast<std::size_t>(surface.vertex_count());
   std::vector<double> diagonal(size, 0.0);
   std::vector<int> first(size + 1, 0);
@@ -93,7 +100,7 @@ SymmetricMatrix laplacian(const Surface& surface, const std::vector<double>& wei
     diagonal[column] += w;
     diagonal[row] += w;
   });
-  SymmetricMatrix matrix;
+  numeric::SymmetricMatrix matrix;
   matrix.first.reserve(size + 1);
   matrix.row.reserve(size + entries.size());
   matrix.value.reserve(size + entries.size());
@@ -118,8 +125,8 @@ constexpr std::size_t columns_at_once = 8;
 } // namespace
 
 struct LaplaceSolver::Factored {
-  SymmetricMatrix laplacian;
-  SparseCholesky cholesky;
+  numeric::SymmetricMatrix laplacian;
+  numeric::SparseCholesky cholesky;
   std::vector<char> held;
 
   Factored(const Surface& surface, const std::vector<double>& weight)
@@ -128,7 +135,7 @@ struct LaplaceSolver::Factored {
   /// Held rows become those of the unit matrix. That leaves zeros in the factor where the rows could have
   /// been left out, but they are few, and one analysis does for all.
   void factor() {
-    SymmetricMatrix matrix = laplacian;
+    numeric::SymmetricMatrix matrix = laplacian;
     for (int j = 0; j < matrix.size(); ++j)
       for (int k = matrix.first[j]; k < matrix.first[j + 1]; ++k)
         if (held[j] || held[matrix.row[k]]) matrix.value[k] = matrix.row[k] == j ? 1 : 0;

@@ -3,7 +3,7 @@
 
 #include "tetrarch/core/error.hpp"
 #include "tetrarch/mesh/cuts.hpp"
-#include "tetrarch/mesh/distance.hpp"
+#include "tetrarch/numeric/vector.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -114,7 +114,7 @@ double Search::surcharge(int node) const {
 double Search::cost(int a, int b) const {
   const double extra = (surcharge(b) + step_cost) * unit_;
   if (surface_.points.empty()) return unit_ + extra;
-  return distance(place(a), place(b)) + extra;
+  return numeric::distance(place(a), place(b)) + extra;
 }
 
 int Search::run(const std::vector<SideEnd>& from, const std::vector<SideEnd>& to) {

@@ -73,8 +73,7 @@ void LoopSearch::try_root(int root) {
 Candidate LoopSearch::closed_by(Side s, const Paths& paths) const {
   const auto up = [&](int v) {
     Loop steps;
-    for (SideEnd e = paths.reached[v]; e.side.exists(); e = paths.reached[open_.vertex(e)])
-      steps.push_back(e);
+    for (SideEnd e = paths.last[v]; e.side.exists(); e = paths.last[open_.vertex(e)]) steps.push_back(e);
     return steps;
   };
   Loop there = up(open_.from(s));

@@ -3,7 +3,7 @@
 
 #include "tetrarch/core/error.hpp"
 #include "tetrarch/format/text.hpp"
-#include "tetrarch/mesh/distance.hpp"
+#include "tetrarch/numeric/vector.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -56,7 +56,7 @@ Puncher::Puncher(const OpenedMesh& opened)
 std::vector<int> Puncher::around(const RoundHole& hole) const {
   const auto& points = opened_.mesh.points;
   const int centre = vertex_numbered(opened_, hole.vertex);
-  const auto from_centre = [&](int v) { return distance(points[v], points[centre]); };
+  const auto from_centre = [&](int v) { return numeric::distance(points[v], points[centre]); };
   double least = 0;
   std::vector<int> triangles;
   std::vector<char> seen(taken_.size(), 0);

@@ -10,7 +10,7 @@
 #include "orient_solid.hpp"
 #include "soup_edit.hpp"
 
-#include "tetrarch/core/union_find.hpp"
+#include "tetrarch/numeric/union_find.hpp"
 
 #include <numeric>
 
@@ -82,7 +82,8 @@ public:
     std::iota(parent_.begin(), parent_.end(), 0);
   }
   void merge(std::size_t a, std::size_t b) {
-    parent_[find_root(parent_, static_cast<int>(a))] = find_root(parent_, static_cast<int>(b));
+    parent_[numeric::find_root(parent_, static_cast<int>(a))] =
+        numeric::find_root(parent_, static_cast<int>(b));
   }
 
   /// Gives the corners of all but the first class at a point new points. Returns how many.
@@ -94,7 +95,7 @@ public:
     for (std::size_t t = 0; t < elements.size(); ++t)
       for (std::size_t c = 0; c < N && proper[t]; ++c) {
         int& v = elements[t][c];
-        const int root = find_root(parent_, static_cast<int>(N * t + c));
+        const int root = numeric::find_root(parent_, static_cast<int>(N * t + c));
         if (first[static_cast<std::size_t>(v)] < 0) first[static_cast<std::size_t>(v)] = root;
         if (first[static_cast<std::size_t>(v)] == root) continue;
         if (point_of[root] < 0) point_of[root] = copied(soup, v);

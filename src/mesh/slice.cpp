@@ -54,7 +54,7 @@ std::vector<SideEnd> Slicer::way(int from, int to) {
   is_barred_[from] = is_barred_[to] = 1;
   const Paths paths = shortest_paths(surface, length, {to});
   std::vector<SideEnd> steps;
-  for (SideEnd e = paths.reached[from]; e.side.exists(); e = paths.reached[surface.vertex(e)])
+  for (SideEnd e = paths.last[from]; e.side.exists(); e = paths.last[surface.vertex(e)])
     steps.push_back({e.side, !e.at_start});
   return steps;
 }

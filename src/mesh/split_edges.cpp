@@ -3,7 +3,7 @@
 
 #include "tetrarch/core/error.hpp"
 #include "tetrarch/core/tet.hpp"
-#include "tetrarch/mesh/distance.hpp"
+#include "tetrarch/numeric/vector.hpp"
 
 #include <algorithm>
 #include <cstdint>
@@ -23,7 +23,7 @@ public:
     for (const EdgePoint& s : splits) {
       if (s.from < 0 || s.to < 0 || s.from >= vertices || s.to >= vertices || s.from == s.to)
         throw PreconditionError("an edge to be split has no ends");
-      order.emplace_back(-distance(mesh.points[s.from], mesh.points[s.to]), key(s.from, s.to));
+      order.emplace_back(-numeric::distance(mesh.points[s.from], mesh.points[s.to]), key(s.from, s.to));
     }
     std::vector<int> by_rank(splits.size());
     for (std::size_t k = 0; k < splits.size(); ++k) by_rank[k] = static_cast<int>(k);

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "tree_cotree.hpp"
 
-#include "tetrarch/core/union_find.hpp"
+#include "tetrarch/numeric/union_find.hpp"
 
 #include <algorithm>
-#include <functional>
 #include <numeric>
-#include <queue>
 #include <utility>
 
 namespace tetrarch::mesh {
@@ -35,42 +33,26 @@ EndsByVertex ends_by_vertex(const Surface& surface) {
 std::vector<double> lengths_off(const Surface& surface, std::vector<double> length,
                                 const std::vector<char>& is_barred) {
   for (int k = 0; k < surface.side_count(); ++k)
-    if (is_barred[surface.from(Side(k))] || is_barred[surface.to(Side(k))]) length[k] = infinity;
+    if (is_barred[surface.from(Side(k))] || is_barred[surface.to(Side(k))]) length[k] = numeric::infinity;
   return length;
 }
 
 Paths shortest_paths(const Surface& surface, const std::vector<double>& length,
                      const std::vector<int>& roots) {
   const EndsByVertex at = ends_by_vertex(surface);
-  const auto vertices = static_cast<std::size_t>(surface.vertex_count());
-  Paths paths{std::vector<double>(vertices, infinity), std::vector<SideEnd>(vertices)};
-  using Entry = std::pair<double, int>;
-  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
-  for (const int v : roots) {
-    paths.distance[v] = 0;
-    queue.emplace(0, v);
-  }
-  while (!queue.empty()) {
-    const auto [distance, v] = queue.top();
-    queue.pop();
-    if (distance > paths.distance[v]) continue;
+  const auto steps = [&](int v, const auto& visit) {
     for (int k = at.first[v]; k < at.first[v + 1]; ++k) {
       const SideEnd e = at.ends[k];
-      const int w = surface.vertex({e.side, !e.at_start});
-      const double further = distance + length[e.side.value];
-      if (further >= paths.distance[w]) continue;
-      paths.distance[w] = further;
-      paths.reached[w] = e;
-      queue.emplace(further, w);
+      visit(surface.vertex({e.side, !e.at_start}), length[e.side.value], e);
     }
-  }
-  return paths;
+  };
+  return numeric::shortest_paths(static_cast<std::size_t>(surface.vertex_count()), roots, SideEnd(), steps);
 }
 
 Closing close_loops(const Surface& surface, const std::vector<double>& length, const Paths& paths,
                     bool outside) {
   std::vector<char> in_tree(static_cast<std::size_t>(surface.side_count()), 0);
-  for (const SideEnd e : paths.reached)
+  for (const SideEnd e : paths.last)
     if (e.side.exists()) in_tree[e.side.value] = 1;
   std::vector<std::pair<double, Side>> candidates;
   for (const Side s : edges(surface)) {
@@ -85,8 +67,8 @@ Closing close_loops(const Surface& surface, const std::vector<double>& length, c
   Closing closing{{}, 0, std::vector<char>(static_cast<std::size_t>(surface.side_count()), 0)};
   for (const auto& [loop, s] : candidates) {
     const Side m = surface.mate(s);
-    const int here = find_root(part, s.triangle());
-    const int there = find_root(part, m.exists() ? m.triangle() : surface.triangle_count());
+    const int here = numeric::find_root(part, s.triangle());
+    const int there = numeric::find_root(part, m.exists() ? m.triangle() : surface.triangle_count());
     if (here == there) {
       closing.edges.push_back(s);
       closing.total += loop;

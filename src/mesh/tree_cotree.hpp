@@ -7,13 +7,13 @@
 /// an edge, and vertices that only such edges lead to are not reached.
 
 #include "tetrarch/mesh/surface.hpp"
+#include "tetrarch/numeric/shortest_paths.hpp"
 
-#include <limits>
 #include <vector>
 
 namespace tetrarch::mesh {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
+using numeric::infinity;
 
 /// The edges, each as one of its sides. O(n).
 std::vector<Side> edges(const Surface& surface);
@@ -34,11 +34,9 @@ EndsByVertex ends_by_vertex(const Surface& surface);
 std::vector<double> lengths_off(const Surface& surface, std::vector<double> length,
                                 const std::vector<char>& is_barred);
 
-/// A forest of shortest paths.
-struct Paths {
-  std::vector<double> distance; ///< of each vertex from the nearest root
-  std::vector<SideEnd> reached; ///< of each vertex, the end at its parent's that leads there; none at roots
-};
+/// A forest of shortest paths. The last step to a vertex is the end at its parent's of the edge that leads
+/// there; none at roots.
+using Paths = numeric::ShortestPaths<SideEnd>;
 
 /// From the nearest of the roots. O(n log n).
 Paths shortest_paths(const Surface& surface, const std::vector<double>& length,

@@ -8,7 +8,7 @@
 #include "soup_edit.hpp"
 
 #include "tetrarch/core/skeleton.hpp"
-#include "tetrarch/mesh/volume_sign.hpp"
+#include "tetrarch/numeric/predicates.hpp"
 
 namespace tetrarch::mesh {
 namespace {
@@ -95,7 +95,7 @@ void Validator::look_at_volume(int t, int sign) {
   const auto& [a, b, c, d] = corners(t);
   for (const int v : corners(t))
     if (!is_finite(point(v))) return;
-  const int volume = volume_sign(point(a), point(b), point(c), point(d));
+  const int volume = static_cast<int>(numeric::volume_sign(point(a), point(b), point(c), point(d)));
   if (volume == 0) {
     add_element(Kind::flat, t, [&] { return element(t) + " is flat"; });
   } else if (volume < 0 && sign < 0) {

@@ -6,8 +6,8 @@
 #include "findings.hpp"
 #include "orient.hpp"
 
-#include "tetrarch/core/union_find.hpp"
-#include "tetrarch/mesh/volume_sign.hpp"
+#include "tetrarch/numeric/predicates.hpp"
+#include "tetrarch/numeric/union_find.hpp"
 
 #include <numeric>
 
@@ -23,7 +23,7 @@ bool is_flat_along(int axis, Point a, Point b, Point c) {
   a[k] = b[k] = c[k] = 0;
   Point above = a;
   above[k] = 1;
-  return volume_sign(a, b, c, above) == 0;
+  return numeric::volume_sign(a, b, c, above) == numeric::Sign::zero;
 }
 
 /// Whether three points lie on a line: whether all three shadows are flat.
@@ -171,11 +171,12 @@ void SurfaceValidator::look_at_components(const Parts& parts) {
   std::vector<int> component(static_cast<std::size_t>(parts.count));
   std::iota(component.begin(), component.end(), 0);
   for (const auto& [a, b] : joined_)
-    component[find_root(component, parts.of[a])] = find_root(component, parts.of[b]);
+    component[numeric::find_root(component, parts.of[a])] = numeric::find_root(component, parts.of[b]);
   std::vector<char> seen(component.size(), 0);
   std::vector<int> first; ///< triangles of the components
   for (int t = 0; t < element_count(); ++t)
-    if (!is_left_out(t) && !std::exchange(seen[find_root(component, parts.of[t])], 1)) first.push_back(t);
+    if (!is_left_out(t) && !std::exchange(seen[numeric::find_root(component, parts.of[t])], 1))
+      first.push_back(t);
   if (first.size() < 2) return;
   add_element(Kind::several_components, first[1], [&] {
     return "the surface falls apart into " + std::to_string(first.size()) +

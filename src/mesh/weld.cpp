@@ -7,7 +7,7 @@
 #include "soup_edit.hpp"
 
 #include "tetrarch/core/error.hpp"
-#include "tetrarch/core/union_find.hpp"
+#include "tetrarch/numeric/union_find.hpp"
 
 #include <cmath>
 #include <numeric>
@@ -92,7 +92,7 @@ std::vector<int> numbered(std::vector<int> parent, const std::vector<char>& prop
   count = 0;
   for (std::size_t t = 0; t < parent.size(); ++t) {
     if (!proper[t]) continue;
-    int& own = number[static_cast<std::size_t>(find_root(parent, static_cast<int>(t)))];
+    int& own = number[static_cast<std::size_t>(numeric::find_root(parent, static_cast<int>(t)))];
     if (own < 0) own = count++;
     of[t] = own;
   }
@@ -108,7 +108,9 @@ std::vector<int> components_of(const format::Soup& soup, int& count) {
                                            : is_proper(soup, soup.triangles[t]));
   std::vector<int> parent(size);
   std::iota(parent.begin(), parent.end(), 0);
-  const auto join = [&parent](int a, int b) { parent[find_root(parent, b)] = find_root(parent, a); };
+  const auto join = [&parent](int a, int b) {
+    parent[numeric::find_root(parent, b)] = numeric::find_root(parent, a);
+  };
   if (is_solid) {
     FaceSweep sweep(soup.tetrahedra, soup.points.size(), [&](std::size_t t) { return proper[t] != 0; });
     sweep.for_each_class([&](std::span<const SortedFace> shared) {

@@ -24,7 +24,6 @@ Complex::Complex(const Triangulation& tri) : tets_(index(tri.size())), size_(tri
     Tet& tet = tets_[index(t)];
     tet.vertex.fill(-1);
     tet.edge.fill(-1);
-    tet.mark = 0;
     for (int f = 0; f < 4; ++f) {
       const Gluing g = tri.gluing({t, f});
       tet.across[f] = g.tet;
@@ -225,7 +224,6 @@ int Complex::add_tet(const std::array<VertexId, 4>& vertices, const std::array<E
   }
   Tet& tet = tets_[index(t)];
   tet.across.fill(-1);
-  tet.mark = 0;
   for (int v = 0; v < 4; ++v) {
     tet.vertex[v] = vertices[v].value;
     ++vertices_[index(vertices[v].value)].size;

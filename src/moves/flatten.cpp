@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <boost/container/small_vector.hpp>
+#include <cstdint>
+#include <utility>
 
 namespace tetrarch::moves {
 namespace {
@@ -37,23 +39,45 @@ private:
   Small<int> parent_;
 };
 
+/// The places of some numbers in a list. Most that are looked for are not in it, which a word of bits tells.
+class Places {
+public:
+  explicit Places(const Small<int>& list) : list_(list) {
+    for (const int number : list) bits_ |= last_bits(number);
+    if (list.size() <= few) return;
+    for (int k = 0; k < static_cast<int>(list.size()); ++k)
+      sorted_.emplace_back(list[static_cast<std::size_t>(k)], k);
+    std::sort(sorted_.begin(), sorted_.end());
+  }
+  /// -1: it is not in the list.
+  int of(int number) const {
+    if ((bits_ & last_bits(number)) == 0) return -1;
+    if (sorted_.empty()) {
+      const auto at = std::find(list_.begin(), list_.end(), number);
+      return at == list_.end() ? -1 : static_cast<int>(at - list_.begin());
+    }
+    const auto at = std::lower_bound(sorted_.begin(), sorted_.end(), std::pair{number, 0});
+    return at == sorted_.end() || at->first != number ? -1 : at->second;
+  }
+
+private:
+  static constexpr std::size_t few = 16; // so many are searched one by one
+  const Small<int>& list_;
+  std::uint64_t bits_ = 0;
+  boost::container::small_vector<std::pair<int, int>, 1> sorted_; ///< of more than a few
+};
+
 /// Chains of flat tetrahedra: enter one by a face of a pair, leave it by the other face, and so on until
 /// outside.
 class Chains {
 public:
-  Chains(const Complex& complex, const Flattening& flat) : complex_(complex), flat_(flat) {
-    pair_at_.assign(4 * flat.tets.size(), 0);
-    for (int k = 0; k < static_cast<int>(flat.tets.size()); ++k) complex.set_mark(flat.tets[k], k + 1);
+  Chains(const Complex& complex, const Flattening& flat)
+      : complex_(complex), flat_(flat), places_(flat.tets), pair_at_(4 * flat.tets.size(), 0) {
     for (int i = 0; i < static_cast<int>(flat.faces.size()); ++i) {
-      pair_at_[place(flat.faces[i].a)] = i + 1;
-      pair_at_[place(flat.faces[i].b)] = -(i + 1);
+      pair_at_[place(flat.faces[i].a, i)] = i + 1;
+      pair_at_[place(flat.faces[i].b, i)] = -(i + 1);
     }
   }
-  ~Chains() {
-    for (const int t : flat_.tets) complex_.set_mark(t, 0);
-  }
-  Chains(const Chains&) = delete;
-  Chains& operator=(const Chains&) = delete;
 
   struct End {
     bool closed = false; ///< the chain came back to where it began
@@ -69,8 +93,9 @@ public:
       if (g.tet < 0) return {false, {-1, 0}, map};
       const TetFace there{g.tet, g.perm[face.face]};
       map = g.perm * map;
-      if (complex_.mark(g.tet) == 0) return {false, there, map};
-      const int entry = pair_at_[place(there)];
+      const int k = places_.of(g.tet);
+      if (k < 0) return {false, there, map};
+      const int entry = pair_at_[place(k, there.face)];
       const int i = std::abs(entry) - 1;
       if (i == first) return {true, {-1, 0}, map};
       visit(i);
@@ -81,11 +106,19 @@ public:
   }
 
 private:
-  std::size_t place(TetFace f) const {
-    return 4 * static_cast<std::size_t>(complex_.mark(f.tet) - 1) + static_cast<std::size_t>(f.face);
+  static std::size_t place(int k, int face) {
+    return 4 * static_cast<std::size_t>(k) + static_cast<std::size_t>(face);
   }
+  /// Where the i-th pair has its faces on the i-th tetrahedron, none need be looked for.
+  std::size_t place(TetFace f, int i) const {
+    const auto k = static_cast<std::size_t>(i);
+    const bool is_there = k < flat_.tets.size() && flat_.tets[k] == f.tet;
+    return place(is_there ? i : places_.of(f.tet), f.face);
+  }
+
   const Complex& complex_;
   const Flattening& flat_;
+  Places places_; ///< of the flat tetrahedra
   boost::container::small_vector<int, 4 * Flattening::usual>
       pair_at_; ///< 1 + pair at its face a, -(1 + pair) at b
 };

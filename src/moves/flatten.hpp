@@ -12,6 +12,8 @@
 #include "tetrarch/moves/complex.hpp"
 #include "tetrarch/moves/obstacle.hpp"
 
+#include <cstdint>
+
 namespace tetrarch::moves {
 
 struct Flattening {
@@ -32,6 +34,11 @@ struct Flattening {
   boost::container::small_vector<FacePair, usual> faces;
   boost::container::small_vector<EdgePair, usual> edges;
 };
+
+/// The last six bits of a number, as one bit of a word: numbers that differ there differ.
+inline std::uint64_t last_bits(int number) {
+  return std::uint64_t{1} << (static_cast<unsigned>(number) % 64U);
+}
 
 /// The obstacle among edges or faces, if there is one. O(k log k) for k pairs.
 MaybeObstacle why_not_flatten(const Complex& complex, const Flattening& flat);

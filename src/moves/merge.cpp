@@ -5,7 +5,9 @@
 #include "flatten.hpp"
 
 #include <algorithm>
+#include <cstdint>
 #include <set>
+#include <vector>
 
 namespace tetrarch::moves {
 namespace {
@@ -22,14 +24,22 @@ MaybeObstacle why_not_ends(const Complex& complex, DirectedTetEdge e, bool on_bo
   return Obstacle::both_ends_on_boundary;
 }
 
-bool contains_twice(const Complex& complex, const Ring& ring) {
-  bool twice = false;
-  for (const Walk& w : ring) {
-    twice = twice || complex.mark(w.tet) != 0;
-    complex.set_mark(w.tet, 1);
+bool contains_twice(const Ring& ring) {
+  constexpr std::size_t few = 64;
+  if (ring.size() > few) {
+    std::vector<int> tets;
+    tets.reserve(ring.size());
+    for (const Walk& w : ring) tets.push_back(w.tet);
+    std::sort(tets.begin(), tets.end());
+    return std::adjacent_find(tets.begin(), tets.end()) != tets.end();
   }
-  for (const Walk& w : ring) complex.set_mark(w.tet, 0);
-  return twice;
+  std::uint64_t bits = 0;
+  for (auto w = ring.begin(); w != ring.end(); ++w) {
+    const auto is_same = [tet = w->tet](const Walk& earlier) { return earlier.tet == tet; };
+    if ((bits & last_bits(w->tet)) != 0 && std::any_of(ring.begin(), w, is_same)) return true;
+    bits |= last_bits(w->tet);
+  }
+  return false;
 }
 
 /// The kind of a vertex into which two are merged of which one is a sphere, or both are disks.
@@ -44,7 +54,7 @@ MaybeObstacle plan_merge(const Complex& complex, DirectedTetEdge e, Flattening& 
   const bool on_boundary = complex.is_boundary(edge);
   if (const auto obstacle = why_not_ends(complex, e, on_boundary)) return obstacle;
   const Ring ring = complex.around(e);
-  if (contains_twice(complex, ring)) return Obstacle::repeated_tetrahedron;
+  if (contains_twice(ring)) return Obstacle::repeated_tetrahedron;
   if (on_boundary && are_whole_component(complex, ring.front().right_face(), ring.back().left_face()))
     return Obstacle::small_boundary_component;
   for (const Walk& w : ring) {

@@ -154,9 +154,9 @@ std::tuple<int, int, int> weight(const Complex& complex) {
   return {complex.vertex_count(), complex.size(), complex.boundary_face_count()};
 }
 
-/// Random moves; `made` is told each one that was legal, while its change is the last one.
-template <class Made>
-void shake_and_tell(Complex& complex, int count, SplitMix64& random, Made made) {
+/// Random moves; `told` hears of each one that was legal, while its change is the last one.
+template <class Told>
+void shake_and_tell(Complex& complex, int count, SplitMix64& random, Told told) {
   for (int k = 0; k < count && complex.size() > 0; ++k) {
     int t = random.below(complex.slot_count());
     while (!complex.is_alive(t)) t = (t + 1) % complex.slot_count();
@@ -165,7 +165,7 @@ void shake_and_tell(Complex& complex, int count, SplitMix64& random, Made made) 
       const auto [a, b] = edge_vertex[random.below(6)];
       move = {MoveKind::four_four, t, a, b, random.below(2)};
     }
-    if (!apply(complex, move)) made(move);
+    if (!apply(complex, move)) told(move);
   }
 }
 

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "tetrarch/product/automatic.hpp"
+#include "tetrarch/numeric/vector.hpp"
 
 #include "tetrarch/core/error.hpp"
+#include "tetrarch/numeric/parallel.hpp"
 #include "tetrarch/product/critical.hpp"
 #include "tetrarch/product/field.hpp"
 #include "tetrarch/product/product.hpp"
 
-#include "for_each.hpp"
 #include "homology.hpp"
 #include "levels.hpp"
 #include "patches.hpp"
 #include "tunnels.hpp"
-#include "vectors.hpp"
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
@@ -25,7 +25,7 @@ namespace tetrarch::product {
 namespace {
 
 using mesh::Side;
-using vectors::Vector;
+using namespace numeric;
 
 /// More sides than this are not tried in pairs.
 constexpr std::size_t most_sides = 60;
@@ -39,7 +39,7 @@ struct Search {
   std::optional<FirstHomology> homology; ///< of solids with handles
 
   Search(const Solid& s, const AutomaticOptions& o) : solid(s), options(o), areas(vector_areas(s)) {
-    for (const Point& a : areas) whole += vectors::norm(a);
+    for (const Point& a : areas) whole += norm(a);
     if (genus(s) > 0) homology.emplace(s);
   }
 };
@@ -49,21 +49,17 @@ double score(const Solid& solid, const Partition& partition) {
   Vector difference{};
   double whole = 0;
   for (std::size_t t = 0; t < areas.size(); ++t) {
-    whole += vectors::norm(areas[t]);
-    if (partition.patch[t] == floor_patch) difference = vectors::difference(difference, areas[t]);
-    if (partition.patch[t] == ceiling_patch) difference = vectors::sum(difference, areas[t]);
+    whole += norm(areas[t]);
+    if (partition.patch[t] == floor_patch) difference = difference - areas[t];
+    if (partition.patch[t] == ceiling_patch) difference = difference + areas[t];
   }
-  return vectors::norm(difference) / whole;
+  return norm(difference) / whole;
 }
 
 /// A partition with these bases, if they make one.
 std::optional<Partition> accepted(const Solid& solid, const std::vector<int>& base,
                                   const std::optional<FirstHomology>& homology) {
-  try {
-    return partition(solid, base, -1, homology ? &*homology : nullptr);
-  } catch (const InputError&) {
-    return {};
-  }
+  return try_partition(solid, base, -1, homology ? &*homology : nullptr).partition;
 }
 
 std::string in_words(const Vector& axis) {
@@ -89,7 +85,7 @@ mesh::Surface torn_along_ridges(const Search& search) {
       if (surface.is_boundary(s)) continue;
       const Point& a = search.areas[t];
       const Point& b = search.areas[surface.mate(s).triangle()];
-      if (vectors::dot(a, b) < sharp * vectors::norm(a) * vectors::norm(b)) surface.unglue(s);
+      if (dot(a, b) < sharp * norm(a) * norm(b)) surface.unglue(s);
     }
   return surface;
 }
@@ -106,7 +102,7 @@ std::vector<std::vector<int>> sides(const Search& search) {
   for (mesh::Part& piece : mesh::split(torn, mesh::parts(torn))) {
     if (mesh::type_of(piece.surface) != SurfaceType{1 - n, n + 1}) continue;
     double area = 0;
-    for (const int t : piece.triangles) area += vectors::norm(search.areas[t]);
+    for (const int t : piece.triangles) area += norm(search.areas[t]);
     found.push_back({area, std::move(piece.triangles)});
   }
   std::stable_sort(found.begin(), found.end(),
@@ -158,7 +154,7 @@ std::vector<Vector> axes(const Search& search) {
     return c;
   };
   const int triangles = search.solid.boundary.triangle_count();
-  for (int t = 0; t < triangles; ++t) middle += vectors::norm(search.areas[t]) / search.whole * centre(t);
+  for (int t = 0; t < triangles; ++t) middle += norm(search.areas[t]) / search.whole * centre(t);
   for (int t = 0; t < triangles; ++t) {
     const Eigen::Vector3d a = Eigen::Vector3d::Map(search.areas[t].data());
     const Eigen::Vector3d r = centre(t) - middle;
@@ -187,19 +183,18 @@ std::vector<Vector> smoothed_normals(const Search& search, int rounds) {
   const mesh::Surface& surface = search.solid.boundary;
   std::vector<Vector> normal(static_cast<std::size_t>(surface.vertex_count()));
   for (int t = 0; t < surface.triangle_count(); ++t)
-    for (const int v : surface.corners(t)) normal[v] = vectors::sum(normal[v], search.areas[t]);
+    for (const int v : surface.corners(t)) normal[v] = normal[v] + search.areas[t];
   const auto make_unit = [&] {
     for (Vector& n : normal)
-      if (const double length = vectors::norm(n); length > 0) n = vectors::times(1 / length, n);
+      if (const double length = norm(n); length > 0) n = 1 / length * n;
   };
   make_unit();
   for (int round = 0; round < rounds; ++round) {
     std::vector<Vector> next(normal.size());
     for (int t = 0; t < surface.triangle_count(); ++t) {
       const auto& [a, b, c] = surface.corners(t);
-      const Vector sum = vectors::times(vectors::norm(search.areas[t]),
-                                        vectors::sum(normal[a], vectors::sum(normal[b], normal[c])));
-      for (const int v : {a, b, c}) next[v] = vectors::sum(next[v], sum);
+      const Vector sum = norm(search.areas[t]) * (normal[a] + (normal[b] + normal[c]));
+      for (const int v : {a, b, c}) next[v] = next[v] + sum;
     }
     normal = std::move(next);
     make_unit();
@@ -211,8 +206,7 @@ CornerValues along(const Search& search, const std::vector<Vector>& normal, cons
   CornerValues values;
   values.reserve(search.areas.size());
   for (const auto& [a, b, c] : search.solid.boundary.triangles())
-    values.push_back(
-        {vectors::dot(normal[a], axis), vectors::dot(normal[b], axis), vectors::dot(normal[c], axis)});
+    values.push_back({dot(normal[a], axis), dot(normal[b], axis), dot(normal[c], axis)});
   return values;
 }
 
@@ -251,7 +245,7 @@ Automatic built(const Search& search, const Candidate& c) {
     }
   }
   const std::vector<int> base = bases_beyond(search.solid, values, c.threshold);
-  Partition found = partition(search.solid, base, -1, nullptr);
+  Partition found = try_partition(search.solid, base, -1, nullptr).partition.value();
   const double value = score(search.solid, found);
   return {search.solid, std::move(found), value, how};
 }
@@ -276,8 +270,10 @@ std::optional<Automatic> by_axes(const Search& search, const Progress& progress)
   for (const int smoothing : search.options.smoothings) {
     const std::vector<Vector> normal = smoothed_normals(search, smoothing);
     std::vector<Candidate> found(all.size());
-    for_each(static_cast<int>(all.size()), search.options.threads, 1, progress, "axes",
-             [&](int k) { found[k] = best_along(search, normal, all[k], smoothing); });
+    numeric::parallel_for(
+        static_cast<int>(all.size()), {search.options.threads, 1},
+        [&](int k) { found[k] = best_along(search, normal, all[k], smoothing); },
+        [&](double part) { progress.step("axes", part); });
     const auto best = std::max_element(
         found.begin(), found.end(), [](const Candidate& a, const Candidate& b) { return a.score < b.score; });
     if (best->score >= 0) return built(search, *best);
@@ -324,7 +320,7 @@ struct Judgement {
 };
 
 Judgement judgement(const Automatic& found, const Progress& progress) {
-  const Prepared p = prepared(found.solid, found.partition);
+  const SplitSolid p = split_shortcuts(found.solid, found.partition);
   FieldOptions options;
   options.clamped = true;
   const std::vector<double> w = harmonic_field(p.solid, p.partition, options, progress).w;

@@ -2,22 +2,21 @@
 #include "tetrarch/product/bases.hpp"
 
 #include "patches.hpp"
-#include "vectors.hpp"
 
 #include "tetrarch/core/error.hpp"
-#include "tetrarch/mesh/distance.hpp"
+#include "tetrarch/numeric/shortest_paths.hpp"
+#include "tetrarch/numeric/vector.hpp"
 #include "tetrarch/product/partition.hpp"
 
 #include <algorithm>
-#include <functional>
-#include <limits>
 #include <map>
-#include <queue>
 #include <string>
 #include <utility>
 
 namespace tetrarch::product {
 namespace {
+
+using namespace numeric;
 
 using mesh::Side;
 
@@ -63,10 +62,10 @@ double flatness(const std::vector<Point>& areas, const std::vector<int>& triangl
   Point sum{};
   double area = 0;
   for (const int t : triangles) {
-    sum = vectors::sum(sum, areas[t]);
-    area += vectors::norm(areas[t]);
+    sum = sum + areas[t];
+    area += norm(areas[t]);
   }
-  return vectors::norm(sum) / area;
+  return norm(sum) / area;
 }
 
 /// Of four annuli in a ring those two opposite ones that are flatter.
@@ -100,11 +99,7 @@ std::vector<int> bases_of(const mesh::Parts& parts, std::array<int, 2> pieces) {
 
 /// Cleaned up only where that is needed, since it cuts off triangles at corners that are meant.
 std::vector<int> mended(const Solid& solid, std::vector<int> base) {
-  try {
-    (void)partition(solid, base);
-  } catch (const InputError&) {
-    clean_up(solid, base);
-  }
+  if (!try_partition(solid, base).partition) clean_up(solid, base);
   return base;
 }
 
@@ -119,11 +114,10 @@ void flood(const Solid& solid, const std::vector<Point>& areas, int number, cons
     for (const int v : solid.boundary.corners(t)) {
       if (v != at) continue;
       around.push_back(t);
-      normal = vectors::sum(normal, areas[t]);
+      normal = normal + areas[t];
     }
   const auto faces_this_way = [&](int t) {
-    return 1 - vectors::dot(areas[t], normal) / (vectors::norm(areas[t]) * vectors::norm(normal)) <=
-           flooding.threshold;
+    return 1 - dot(areas[t], normal) / (norm(areas[t]) * norm(normal)) <= flooding.threshold;
   };
   std::vector<int> reached;
   const auto reach = [&](int t) {
@@ -149,24 +143,14 @@ std::vector<double> distances(const Solid& solid, const std::vector<Side>& from)
   std::vector<std::vector<int>> neighbors(solid.vertex.size());
   for (int k = 0; k < solid.boundary.side_count(); ++k)
     neighbors[solid.boundary.from(Side(k))].push_back(solid.boundary.to(Side(k)));
-  std::vector<double> distance(solid.vertex.size(), std::numeric_limits<double>::max());
-  std::priority_queue<std::pair<double, int>, std::vector<std::pair<double, int>>, std::greater<>> queue;
-  for (const Side s : from) {
-    distance[solid.boundary.from(s)] = 0;
-    queue.emplace(0.0, solid.boundary.from(s));
-  }
-  while (!queue.empty()) {
-    const auto [d, v] = queue.top();
-    queue.pop();
-    if (d > distance[v]) continue;
-    for (const int u : neighbors[v]) {
-      const double next = d + mesh::distance(solid.point(solid.vertex[v]), solid.point(solid.vertex[u]));
-      if (next >= distance[u]) continue;
-      distance[u] = next;
-      queue.emplace(next, u);
-    }
-  }
-  return distance;
+  std::vector<int> roots;
+  roots.reserve(from.size());
+  for (const Side s : from) roots.push_back(solid.boundary.from(s));
+  const auto steps = [&](int v, const auto& visit) {
+    for (const int u : neighbors[v])
+      visit(u, numeric::distance(solid.point(solid.vertex[v]), solid.point(solid.vertex[u])), v);
+  };
+  return numeric::shortest_paths(neighbors.size(), roots, -1, steps).distance;
 }
 
 } // namespace

@@ -1,18 +1,14 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "branches.hpp"
 
-#include "tetrarch/mesh/distance.hpp"
+#include "tetrarch/numeric/shortest_paths.hpp"
+#include "tetrarch/numeric/vector.hpp"
 
 #include <algorithm>
-#include <functional>
-#include <limits>
-#include <queue>
 #include <utility>
 
 namespace tetrarch::product {
 namespace {
-
-constexpr double infinite = std::numeric_limits<double>::infinity();
 
 /// How much nearer the other tree may be than the own one.
 constexpr double nearer = 2;
@@ -29,41 +25,23 @@ Roads roads(const mesh::TriangleMesh& mesh) {
     const mesh::Side s(k);
     const int a = mesh.surface.from(s);
     const int b = mesh.surface.to(s);
-    const double length = mesh::distance(mesh.points[a], mesh.points[b]);
+    const double length = numeric::distance(mesh.points[a], mesh.points[b]);
     result[a].push_back({b, length});
     if (mesh.surface.is_boundary(s)) result[b].push_back({a, length}); // else the mate's
   }
   return result;
 }
 
-/// Shortest ways from some vertices to all others.
-struct Ways {
-  std::vector<double> distance;
-  std::vector<int> before; ///< the vertex before each one on its way; -1: none
-};
+/// Shortest ways from some vertices to all others; the last step is the vertex before, -1: none.
+using Ways = numeric::ShortestPaths<int>;
 
-/// `cost(a, road)`: infinite where one cannot go.
+/// `cost(a, road)`: numeric::infinity where one cannot go.
 template <class Cost>
 Ways ways(const Roads& roads, const std::vector<int>& from, const Cost& cost) {
-  Ways found{std::vector<double>(roads.size(), infinite), std::vector<int>(roads.size(), -1)};
-  std::priority_queue<std::pair<double, int>, std::vector<std::pair<double, int>>, std::greater<>> queue;
-  for (const int v : from) {
-    found.distance[v] = 0;
-    queue.emplace(0.0, v);
-  }
-  while (!queue.empty()) {
-    const auto [d, v] = queue.top();
-    queue.pop();
-    if (d > found.distance[v]) continue;
-    for (const Road& road : roads[v]) {
-      const double next = d + cost(v, road);
-      if (!(next < found.distance[road.to])) continue;
-      found.distance[road.to] = next;
-      found.before[road.to] = v;
-      queue.emplace(next, road.to);
-    }
-  }
-  return found;
+  const auto steps = [&](int v, const auto& visit) {
+    for (const Road& road : roads[v]) visit(road.to, cost(v, road), v);
+  };
+  return numeric::shortest_paths(roads.size(), from, -1, steps);
 }
 
 std::vector<double> distances(const Roads& roads, const std::vector<int>& from) {
@@ -71,7 +49,7 @@ std::vector<double> distances(const Roads& roads, const std::vector<int>& from) 
 }
 
 double nearest_of(const std::vector<double>& distance, const std::vector<int>& vertices) {
-  double least = infinite;
+  double least = numeric::infinity;
   for (const int v : vertices) least = std::min(least, distance[v]);
   return least;
 }
@@ -126,12 +104,12 @@ private:
     std::vector<int>& tree = found_.trees[k];
     const Ways found = ways(roads_, tree, [&](int v, const Road& road) {
       const double there = from_others[road.to];
-      return there > 0 ? 2 * road.length / (from_others[v] + there) : infinite;
+      return there > 0 ? 2 * road.length / (from_others[v] + there) : numeric::infinity;
     });
     const int end = *std::min_element(
         to.begin(), to.end(), [&found](int a, int b) { return found.distance[a] < found.distance[b]; });
-    if (found.distance[end] == infinite) return false;
-    for (int v = found.before[end]; v >= 0 && found.before[v] >= 0; v = found.before[v]) tree.push_back(v);
+    if (found.distance[end] == numeric::infinity) return false;
+    for (int v = found.last[end]; v >= 0 && found.last[v] >= 0; v = found.last[v]) tree.push_back(v);
     tree.insert(tree.end(), to.begin(), to.end());
     distance_[k] = distances(roads_, tree);
     return true;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "tetrarch/product/critical.hpp"
 
-#include "tetrarch/core/union_find.hpp"
+#include "tetrarch/numeric/union_find.hpp"
 
 #include <algorithm>
 #include <numeric>
@@ -60,8 +60,8 @@ public:
     for (const int u : members_) count += side(u) == sign ? 1 : 0;
     for (const auto& [a, b] : joints_) {
       if (side(a) != sign || side(b) != sign) continue;
-      const int here = find_root(parent, place(a));
-      const int there = find_root(parent, place(b));
+      const int here = numeric::find_root(parent, place(a));
+      const int there = numeric::find_root(parent, place(b));
       if (here == there) continue;
       parent[here] = there;
       --count;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "tetrarch/product/fibers.hpp"
-
-#include "vectors.hpp"
+#include "tetrarch/numeric/vector.hpp"
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
@@ -17,11 +16,10 @@ namespace {
 constexpr double near_zero = 1e-12;
 
 using Weights = std::array<double, 4>;
-using vectors::cross;
-using vectors::dot;
+using namespace numeric;
 
 Point between(const Point& p, const Point& q) {
-  return vectors::difference(q, p);
+  return q - p;
 }
 
 /// Of the weights of corners 1, 2 and 3 of a tetrahedron; that of corner 0 is minus their sum.

@@ -3,7 +3,7 @@
 
 #include "tetrarch/core/error.hpp"
 #include "tetrarch/mesh/edge_weights.hpp"
-#include "tetrarch/mesh/sparse_cholesky.hpp"
+#include "tetrarch/numeric/sparse_cholesky.hpp"
 
 #include <Eigen/IterativeLinearSolvers>
 #include <Eigen/SparseCore>
@@ -14,8 +14,8 @@
 namespace tetrarch::product {
 namespace {
 
-using mesh::SymmetricMatrix;
 using mesh::WeightedEdge;
+using numeric::SymmetricMatrix;
 
 /// From here on conjugate gradients are quicker, and take less memory.
 constexpr int large = 20'000;
@@ -65,7 +65,7 @@ System equations(const std::vector<WeightedEdge>& edges, const std::vector<int>&
 }
 
 std::vector<double> solve_directly(System& s) {
-  mesh::SparseCholesky solver(s.matrix);
+  numeric::SparseCholesky solver(s.matrix);
   if (!solver.factor(s.matrix))
     throw InputError("the harmonic field has no solution in double precision: its matrix is not positive "
                      "definite after rounding (are there nearly flat tetrahedra?)");

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "tetrarch/product/floor_map.hpp"
+#include "tetrarch/numeric/vector.hpp"
 
 #include "rectangle_corners.hpp"
-#include "vectors.hpp"
 
 #include "tetrarch/core/error.hpp"
 #include "tetrarch/mesh/boundary_loops.hpp"
@@ -18,6 +18,8 @@
 
 namespace tetrarch::product {
 namespace {
+
+using namespace numeric;
 
 using Complex = std::complex<double>;
 using mesh::BoundaryLoop;
@@ -69,9 +71,7 @@ std::vector<int> loops_of_walls(const std::vector<int>& wall_of_loop) {
 
 double area_of(const mesh::TriangleMesh& mesh, const mesh::Surface::Triangle& corners) {
   const auto& p = mesh.points[corners[0]];
-  return vectors::norm(vectors::cross(vectors::difference(mesh.points[corners[1]], p),
-                                      vectors::difference(mesh.points[corners[2]], p))) /
-         2;
+  return norm(cross(mesh.points[corners[1]] - p, mesh.points[corners[2]] - p)) / 2;
 }
 
 /// Moves what crowds near the rim of the disk inward, by the Moebius map of the disk after which the floor's

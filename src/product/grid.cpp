@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "tetrarch/product/grid.hpp"
 
-#include "flat_locator.hpp"
 #include "tetrarch/core/error.hpp"
 #include "tetrarch/mesh/boundary_loops.hpp"
+#include "tetrarch/numeric/flat_locator.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -289,7 +289,7 @@ FloorPoint nearest_on(const mesh::BoundaryLoop& loop, const Solid& solid, const 
   for (const mesh::SideEnd e : loop.sides) {
     const Complex from = floor.position[surface.from(e.side)];
     const Complex to = floor.position[surface.to(e.side)];
-    const double part = nearest_part(from, to, z);
+    const double part = numeric::nearest_part(from, to, z);
     const double distance = std::abs(from + part * (to - from) - z);
     if (!(distance < least)) continue;
     least = distance;
@@ -319,11 +319,11 @@ FloorGrid floor_grid(double height, const std::vector<Rectangle>& holes, const G
 
 std::vector<FloorPoint> nodes_on_floor(const Solid& solid, const FloorMap& floor, const FloorGrid& grid) {
   const std::vector<mesh::BoundaryLoop> loops = loops_of(floor);
-  std::vector<FlatCorners> triangles;
+  std::vector<numeric::FlatTriangle> triangles;
   triangles.reserve(floor.triangle.size());
   for (const auto& [a, b, c] : floor.mesh.surface.triangles())
     triangles.push_back({floor.position[a], floor.position[b], floor.position[c]});
-  const FlatLocator locator(std::move(triangles));
+  const numeric::FlatLocator locator(std::move(triangles));
   std::vector<FloorPoint> points;
   points.reserve(grid.nodes.size());
   for (const GridNode& node : grid.nodes) {
@@ -331,7 +331,7 @@ std::vector<FloorPoint> nodes_on_floor(const Solid& solid, const FloorMap& floor
       points.push_back(nearest_on(loops[node.loop], solid, floor, node.position));
       continue;
     }
-    const FlatPlace place = locator.nearest(node.position);
+    const numeric::FlatPlace place = locator.nearest(node.position);
     if (place.triangle < 0) throw PreconditionError("all triangles of the floor are inverted");
     points.push_back(on_solid(solid, floor, place.triangle, place.weight, place.outside));
   }

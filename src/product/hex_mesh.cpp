@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "tetrarch/product/hex_mesh.hpp"
-
-#include "vectors.hpp"
+#include "tetrarch/numeric/vector.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +8,7 @@
 namespace tetrarch::product {
 namespace {
 
-using namespace vectors;
+using namespace numeric;
 
 /// Of each corner its three neighbours, so that they make a right-handed corner of a cube.
 constexpr std::array<std::array<int, 3>, 8> neighbors{
@@ -36,13 +35,12 @@ double scaled_jacobian(const std::array<Point, 8>& corners) {
   std::array<Vector, 3> axis{};
   for (std::size_t a = 0; a < 3; ++a)
     for (std::size_t c = 0; c < 4; ++c)
-      axis[a] = sum(axis[a], difference(corners[opposite_faces[a][0][c]], corners[opposite_faces[a][1][c]]));
+      axis[a] = axis[a] + (corners[opposite_faces[a][0][c]] - corners[opposite_faces[a][1][c]]);
   double least = scaled_determinant(axis[0], axis[1], axis[2]);
   for (std::size_t c = 0; c < 8; ++c) {
     const auto& [x, y, z] = neighbors[c];
-    least = std::min(least, scaled_determinant(difference(corners[x], corners[c]),
-                                               difference(corners[y], corners[c]),
-                                               difference(corners[z], corners[c])));
+    least = std::min(
+        least, scaled_determinant(corners[x] - corners[c], corners[y] - corners[c], corners[z] - corners[c]));
   }
   return least;
 }
@@ -60,7 +58,7 @@ HexQuality quality(const HexMesh& mesh) {
     ++q.histogram[static_cast<std::size_t>(std::clamp(std::floor(10 * j) + 10, 0.0, 19.0))];
     if (j > 0) continue;
     Point center{};
-    for (const Point& p : corners) center = sum(center, times(1.0 / 8, p));
+    for (const Point& p : corners) center = center + 1.0 / 8 * p;
     q.bad.push_back({static_cast<int>(h), j, center});
   }
   if (!mesh.hexahedra.empty()) q.mean = total / static_cast<double>(mesh.hexahedra.size());

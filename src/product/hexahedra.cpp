@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "tetrarch/product/hexahedra.hpp"
 
-#include "for_each.hpp"
 #include "tetrarch/core/error.hpp"
+#include "tetrarch/numeric/parallel.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -44,8 +44,10 @@ SolidHexahedra hexahedra(const FiberField& field, const FloorGrid& grid, const s
     throw PreconditionError("hexahedra: exactly one fiber must start at each node of the grid");
   const int count = static_cast<int>(start.size());
   std::vector<Column> columns(start.size());
-  for_each(count, options.threads, 16, progress, "hexahedra",
-           [&](int node) { columns[node] = climbed(field, start[node], node, options.layers); });
+  numeric::parallel_for(
+      count, {options.threads, 16},
+      [&](int node) { columns[node] = climbed(field, start[node], node, options.layers); },
+      [&](double part) { progress.step("hexahedra", part); });
 
   SolidHexahedra result;
   for (const Column& column : columns)

@@ -53,7 +53,7 @@ private:
 };
 
 /// As the public one, for a homology at hand; not checked against it if there is none.
-Partition partition(const Solid& solid, const std::vector<int>& base, int outer,
-                    const FirstHomology* homology);
+PartitionAttempt try_partition(const Solid& solid, const std::vector<int>& base, int outer,
+                               const FirstHomology* homology);
 
 } // namespace tetrarch::product

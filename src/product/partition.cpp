@@ -4,7 +4,7 @@
 #include "homology.hpp"
 
 #include "tetrarch/core/error.hpp"
-#include "tetrarch/mesh/distance.hpp"
+#include "tetrarch/numeric/vector.hpp"
 
 #include <algorithm>
 #include <array>
@@ -57,19 +57,23 @@ Pieces pieces_of(const Solid& solid, const std::vector<int>& base) {
   return pieces;
 }
 
-void require_connected_bases(const Solid& solid, const Pieces& pieces) {
+/// What is wrong, in words; empty: nothing.
+using Fault = std::string;
+
+Fault why_not_connected_bases(const Solid& solid, const Pieces& pieces) {
   std::array<int, 2> seen{-1, -1};
   for (int k = 0; k < pieces.parts.count; ++k) {
     const int b = pieces.base[k];
     if (b < 0) continue;
     if (seen[b] >= 0)
-      throw InputError(std::string("the ") + base_name[b] + " falls apart: it has a piece with " +
-                       triangle_name(solid, pieces.first_triangle(seen[b])) + " and another with " +
-                       triangle_name(solid, pieces.first_triangle(k)));
+      return std::string("the ") + base_name[b] + " falls apart: it has a piece with " +
+             triangle_name(solid, pieces.first_triangle(seen[b])) + " and another with " +
+             triangle_name(solid, pieces.first_triangle(k));
     seen[b] = k;
   }
   for (int b = 0; b < 2; ++b)
-    if (seen[b] < 0) throw InputError(std::string("there is no ") + base_name[b]);
+    if (seen[b] < 0) return std::string("there is no ") + base_name[b];
+  return {};
 }
 
 /// The pieces that one meets around a vertex; a piece that is met twice is there twice.
@@ -84,7 +88,7 @@ std::vector<int> pieces_around(const Solid& solid, const Pieces& pieces, SideEnd
 }
 
 /// Around a vertex there is one piece, or a base and a wall once each.
-void require_clean_vertices(const Solid& solid, const Pieces& pieces) {
+Fault why_not_clean_vertices(const Solid& solid, const Pieces& pieces) {
   std::vector<char> seen(static_cast<std::size_t>(solid.boundary.vertex_count()), 0);
   for (int t = 0; t < solid.boundary.triangle_count(); ++t)
     for (const Side s : mesh::sides_of(t)) {
@@ -96,34 +100,38 @@ void require_clean_vertices(const Solid& solid, const Pieces& pieces) {
       std::array<bool, 2> met{};
       for (const int k : around)
         if (pieces.base[k] >= 0) met[pieces.base[k]] = true;
-      if (met[0] && met[1]) throw InputError("floor and ceiling touch " + place);
+      if (met[0] && met[1]) return "floor and ceiling touch " + place;
       if (around.size() == 2) continue;
       const int b = met[0] ? floor_patch : ceiling_patch;
-      throw InputError(std::string("the ") + base_name[b] + " is pinched " + place +
-                       ": several fans of its triangles meet there");
+      return std::string("the ") + base_name[b] + " is pinched " + place +
+             ": several fans of its triangles meet there";
     }
+  return {};
 }
 
-void require_type(const Solid& solid, const Pieces& pieces, int k, const mesh::Surface& surface,
-                  const SurfaceType& expected, const std::string& reason) {
+Fault why_not_type(const Solid& solid, const Pieces& pieces, int k, const mesh::Surface& surface,
+                   const SurfaceType& expected, const std::string& reason) {
   const SurfaceType type = mesh::type_of(surface);
-  if (type == expected) return;
+  if (type == expected) return {};
   const std::string name = pieces.base[k] < 0 ? "the wall" : std::string("the ") + base_name[pieces.base[k]];
-  throw InputError(name + " with " + triangle_name(solid, pieces.first_triangle(k)) + " is a " + type.str() +
-                   "; expected a " + expected.str() + reason);
+  return name + " with " + triangle_name(solid, pieces.first_triangle(k)) + " is a " + type.str() +
+         "; expected a " + expected.str() + reason;
 }
 
-void require_bases(const Solid& solid, const Pieces& pieces) {
+Fault why_not_bases(const Solid& solid, const Pieces& pieces) {
   const int n = genus(solid);
   const SurfaceType expected{1 - n, n + 1};
   for (int k = 0; k < pieces.parts.count; ++k)
-    if (pieces.base[k] >= 0)
-      require_type(solid, pieces, k, pieces.piece[k].surface, expected,
-                   ", because the boundary of the solid has genus " + std::to_string(n));
+    if (pieces.base[k] >= 0) {
+      Fault fault = why_not_type(solid, pieces, k, pieces.piece[k].surface, expected,
+                                 ", because the boundary of the solid has genus " + std::to_string(n));
+      if (!fault.empty()) return fault;
+    }
+  return {};
 }
 
 /// In a product the loops around the holes of the floor are a basis of the homology.
-void require_homology(const Solid& solid, const Pieces& pieces, const FirstHomology& homology) {
+Fault why_not_homology(const Solid& solid, const Pieces& pieces, const FirstHomology& homology) {
   std::vector<FirstHomology::Element> loops;
   int at = -1;
   for (int k = 0; k < pieces.parts.count; ++k) {
@@ -134,11 +142,10 @@ void require_homology(const Solid& solid, const Pieces& pieces, const FirstHomol
       loops.push_back(homology.of(rim));
     }
   }
-  if (!homology.generated_by(loops))
-    throw InputError(
-        "the floor with " + triangle_name(solid, at) +
-        " does not go around the handles of the solid: the loops around its holes do not generate "
-        "the first homology, so the solid is no product over this floor");
+  if (homology.generated_by(loops)) return {};
+  return "the floor with " + triangle_name(solid, at) +
+         " does not go around the handles of the solid: the loops around its holes do not generate the first "
+         "homology, so the solid is no product over this floor";
 }
 
 /// A wall, found.
@@ -151,19 +158,20 @@ double length(const Solid& solid, const mesh::Part& part, const std::vector<Side
   std::vector<double> lengths;
   for (const SideEnd e : rim) {
     const Side s = part.in_whole(e.side);
-    lengths.push_back(mesh::distance(solid.point(solid.vertex[solid.boundary.from(s)]),
-                                     solid.point(solid.vertex[solid.boundary.to(s)])));
+    lengths.push_back(numeric::distance(solid.point(solid.vertex[solid.boundary.from(s)]),
+                                        solid.point(solid.vertex[solid.boundary.to(s)])));
   }
   // Summed in order of size, congruent rims are equally long, wherever they begin.
   std::sort(lengths.begin(), lengths.end());
   return std::accumulate(lengths.begin(), lengths.end(), 0.0);
 }
 
-/// Checks piece k, which is on no base.
-Wall wall(const Solid& solid, const Pieces& pieces, int k) {
+/// Piece k, which is on no base.
+Fault why_not_wall(const Solid& solid, const Pieces& pieces, int k, Wall& result) {
   const mesh::Part& part = pieces.piece[k];
-  require_type(solid, pieces, k, part.surface, {0, 2}, ", a cylinder");
-  Wall result{k, 0};
+  if (Fault fault = why_not_type(solid, pieces, k, part.surface, {0, 2}, ", a cylinder"); !fault.empty())
+    return fault;
+  result = {k, 0};
   std::array<int, 2> rims{};
   for (const auto& rim : mesh::boundary_curves(part.surface)) {
     const Side beyond = solid.boundary.mate(part.in_whole(rim.front().side));
@@ -172,53 +180,63 @@ Wall wall(const Solid& solid, const Pieces& pieces, int k) {
     if (b == floor_patch) result.length = length(solid, part, rim);
   }
   if (rims[0] != 1)
-    throw InputError("the wall with " + triangle_name(solid, pieces.first_triangle(k)) +
-                     " has both rims on the " + base_name[rims[0] == 0 ? 1 : 0]);
-  return result;
+    return "the wall with " + triangle_name(solid, pieces.first_triangle(k)) + " has both rims on the " +
+           base_name[rims[0] == 0 ? 1 : 0];
+  return {};
 }
 
-std::vector<Wall> walls_of(const Solid& solid, const Pieces& pieces, int outer) {
-  std::vector<Wall> walls;
-  for (int k = 0; k < pieces.parts.count; ++k)
-    if (pieces.base[k] < 0) walls.push_back(wall(solid, pieces, k));
+Fault why_not_walls(const Solid& solid, const Pieces& pieces, int outer, std::vector<Wall>& walls) {
+  for (int k = 0; k < pieces.parts.count; ++k) {
+    if (pieces.base[k] >= 0) continue;
+    Fault fault = why_not_wall(solid, pieces, k, walls.emplace_back());
+    if (!fault.empty()) return fault;
+  }
   // Each wall has one rim on the floor, which has genus + 1 of them: so there are as many walls.
   const int first = outer < 0 ? -1 : pieces.parts.of[outer];
   if (first >= 0 && pieces.base[first] >= 0)
-    throw InputError("the outer wall should contain " + triangle_name(solid, outer) + ", which is on the " +
-                     base_name[pieces.base[first]]);
+    return "the outer wall should contain " + triangle_name(solid, outer) + ", which is on the " +
+           base_name[pieces.base[first]];
   std::stable_sort(walls.begin(), walls.end(), [first](const Wall& a, const Wall& b) {
     if ((a.piece == first) != (b.piece == first)) return a.piece == first;
     return a.length > b.length;
   });
-  return walls;
+  return {};
 }
 
 } // namespace
 
-Partition partition(const Solid& solid, const std::vector<int>& base, int outer,
-                    const FirstHomology* homology) {
+PartitionAttempt try_partition(const Solid& solid, const std::vector<int>& base, int outer,
+                               const FirstHomology* homology) {
   require_proper(solid, base, outer);
   const Pieces pieces = pieces_of(solid, base);
-  require_connected_bases(solid, pieces);
-  require_clean_vertices(solid, pieces);
-  require_bases(solid, pieces);
-  const std::vector<Wall> walls = walls_of(solid, pieces, outer);
-  if (homology != nullptr) require_homology(solid, pieces, *homology);
+  std::vector<Wall> walls;
+  Fault fault = why_not_connected_bases(solid, pieces);
+  if (fault.empty()) fault = why_not_clean_vertices(solid, pieces);
+  if (fault.empty()) fault = why_not_bases(solid, pieces);
+  if (fault.empty()) fault = why_not_walls(solid, pieces, outer, walls);
+  if (fault.empty() && homology != nullptr) fault = why_not_homology(solid, pieces, *homology);
+  if (!fault.empty()) return {std::nullopt, std::move(fault)};
 
   std::vector<int> patch(pieces.base);
   for (std::size_t i = 0; i < walls.size(); ++i) patch[walls[i].piece] = first_wall + static_cast<int>(i);
   Partition result{{}, static_cast<int>(walls.size())};
   result.patch.reserve(base.size());
   for (const int k : pieces.parts.of) result.patch.push_back(patch[k]);
-  return result;
+  return {std::move(result), {}};
+}
+
+PartitionAttempt try_partition(const Solid& solid, const std::vector<int>& base, int outer) {
+  // First all that is cheaper.
+  PartitionAttempt attempt = try_partition(solid, base, outer, nullptr);
+  if (!attempt.partition || attempt.partition->holes() == 0) return attempt;
+  const FirstHomology homology(solid);
+  return try_partition(solid, base, outer, &homology);
 }
 
 Partition partition(const Solid& solid, const std::vector<int>& base, int outer) {
-  // First all that is cheaper.
-  Partition result = partition(solid, base, outer, nullptr);
-  if (result.holes() == 0) return result;
-  const FirstHomology homology(solid);
-  return partition(solid, base, outer, &homology);
+  PartitionAttempt attempt = try_partition(solid, base, outer);
+  if (!attempt.partition) throw InputError(attempt.why_not);
+  return *std::move(attempt.partition);
 }
 
 std::vector<int> bases_of_vertices(const Solid& solid, const Partition& partition) {

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "patches.hpp"
 
-#include "tetrarch/core/union_find.hpp"
-
-#include "vectors.hpp"
+#include "tetrarch/numeric/union_find.hpp"
+#include "tetrarch/numeric/vector.hpp"
 
 #include <algorithm>
 #include <array>
@@ -12,6 +11,8 @@
 
 namespace tetrarch::product {
 namespace {
+
+using namespace numeric;
 
 using mesh::Side;
 using mesh::SideEnd;
@@ -29,8 +30,8 @@ std::vector<int> pieces(const Solid& solid, const std::vector<int>& base) {
   for (int t = 0; t < solid.boundary.triangle_count(); ++t)
     for (const Side s : mesh::sides_of(t))
       if (solid.boundary.mate(s).value < s.value && !is_rim(solid, base, s))
-        piece[find_root(piece, t)] = find_root(piece, solid.boundary.mate(s).triangle());
-  for (int t = 0; t < solid.boundary.triangle_count(); ++t) piece[t] = find_root(piece, t);
+        piece[numeric::find_root(piece, t)] = numeric::find_root(piece, solid.boundary.mate(s).triangle());
+  for (int t = 0; t < solid.boundary.triangle_count(); ++t) piece[t] = numeric::find_root(piece, t);
   return piece;
 }
 
@@ -65,7 +66,7 @@ std::vector<int> twice_euler(const Solid& solid, const std::vector<int>& base,
 bool drop_crumbs(const Solid& solid, std::vector<int>& base, const std::vector<Point>& areas) {
   const std::vector<int> piece = pieces(solid, base);
   std::vector<double> area(piece.size(), 0.0);
-  for (std::size_t t = 0; t < base.size(); ++t) area[piece[t]] += vectors::norm(areas[t]);
+  for (std::size_t t = 0; t < base.size(); ++t) area[piece[t]] += norm(areas[t]);
   std::array<int, 2> largest{-1, -1};
   for (std::size_t t = 0; t < base.size(); ++t) {
     if (base[t] < 0) continue;
@@ -154,9 +155,7 @@ std::vector<Point> vector_areas(const Solid& solid) {
   areas.reserve(static_cast<std::size_t>(solid.boundary.triangle_count()));
   for (int t = 0; t < solid.boundary.triangle_count(); ++t) {
     const Point& p = solid.point(solid.corner(t, 0));
-    areas.push_back(
-        vectors::times(0.5, vectors::cross(vectors::difference(solid.point(solid.corner(t, 1)), p),
-                                           vectors::difference(solid.point(solid.corner(t, 2)), p))));
+    areas.push_back(0.5 * cross(solid.point(solid.corner(t, 1)) - p, solid.point(solid.corner(t, 2)) - p));
   }
   return areas;
 }

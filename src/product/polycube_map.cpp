@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "tetrarch/product/polycube.hpp"
 
-#include "for_each.hpp"
 #include "polycube_sheets.hpp"
 #include "tetrarch/core/error.hpp"
+#include "tetrarch/numeric/parallel.hpp"
 #include "tetrarch/product/field.hpp"
 #include "tetrarch/product/product.hpp"
 
@@ -19,14 +19,14 @@ namespace {
 /// A solid with its fibres. Not to be moved: the fibres keep references.
 struct Fibered {
   Fibered(const Solid& solid, const Partition& partition, Direction direction, const Progress& progress)
-      : ready(prepared(solid, partition)),
+      : ready(split_shortcuts(solid, partition)),
         field(ready.solid, ready.partition,
               harmonic_field(ready.solid, ready.partition, {}, progress.silent()).w, direction) {}
   Fibered(const Fibered&) = delete;
   Fibered& operator=(const Fibered&) = delete;
   ~Fibered() = default;
 
-  Prepared ready;
+  SplitSolid ready;
   FiberField field;
 };
 
@@ -75,13 +75,13 @@ void require_rims(const Sheets& all, const mesh::Surface& boundary, const std::v
 class Feet {
 public:
   Feet(const Solid& before, const std::vector<Point>& image, const std::vector<Facing>& facing,
-       const std::vector<int>& base, const Prepared& after, double step)
+       const std::vector<int>& base, const SplitSolid& after, double step)
       : step_(step) {
     std::vector<char> wanted;
     wanted.reserve(base.size());
     for (const int b : base) wanted.push_back(static_cast<char>(b == floor_patch));
     floor_ = sheets(before.boundary, image, facing, wanted);
-    // What `prepared` splits are edges that are on no base; triangles of the floor are what they were.
+    // What `split_shortcuts` splits are edges that are on no base; triangles of the floor are what they were.
     std::map<std::array<int, 3>, int> number;
     for (int t = 0; t < after.solid.boundary.triangle_count(); ++t)
       if (after.partition.patch[t] == floor_patch) number[sorted(after.solid, t)] = t;
@@ -217,8 +217,10 @@ PolycubeHexahedra polycube_hexahedra(const Solid& solid, const std::vector<Point
   const Feet feet(solid, at, facing, base, to.ready, options.step);
   const std::vector<int> vertex = vertices_at(result.cubes.points, cubes.mesh.points, fine.edge);
   std::vector<Image> images(vertex.size());
-  for_each(static_cast<int>(vertex.size()), options.threads, 16, progress, "hexahedra",
-           [&](int node) { images[node] = carried(from, feet, to, node, vertex[node]); });
+  numeric::parallel_for(
+      static_cast<int>(vertex.size()), {options.threads, 16},
+      [&](int node) { images[node] = carried(from, feet, to, node, vertex[node]); },
+      [&](double part) { progress.step("hexahedra", part); });
   collect(result, images, from.ready.solid, vertex);
   return result;
 }

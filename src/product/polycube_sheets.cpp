@@ -35,8 +35,7 @@ Corners corners_of(const mesh::Surface& boundary, const std::vector<Point>& imag
 }
 
 double twice_area(const Facing& facing, const Corners& p) {
-  const std::complex<double> origin = flat(facing, p[0]);
-  return (std::conj(flat(facing, p[1]) - origin) * (flat(facing, p[2]) - origin)).imag();
+  return numeric::twice_area({flat(facing, p[0]), flat(facing, p[1]), flat(facing, p[2])});
 }
 
 } // namespace
@@ -94,14 +93,14 @@ std::vector<Facing> facings(const mesh::Surface& boundary, const std::vector<Poi
 Sheets sheets(const mesh::Surface& boundary, const std::vector<Point>& image,
               const std::vector<Facing>& facing, const std::vector<char>& wanted) {
   Sheets result;
-  std::map<Facing, std::vector<FlatCorners>> corners;
+  std::map<Facing, std::vector<numeric::FlatTriangle>> corners;
   for (int t = 0; t < boundary.triangle_count(); ++t) {
     if (!wanted.empty() && wanted[t] == 0) continue;
     const Corners p = corners_of(boundary, image, t);
     result[facing[t]].triangles.push_back(t);
     corners[facing[t]].push_back({flat(facing[t], p[0]), flat(facing[t], p[1]), flat(facing[t], p[2])});
   }
-  for (auto& [which, sheet] : result) sheet.locator = FlatLocator(std::move(corners[which]));
+  for (auto& [which, sheet] : result) sheet.locator = numeric::FlatLocator(std::move(corners[which]));
   return result;
 }
 
@@ -114,7 +113,7 @@ OnSurface located(const Sheets& sheets, const Point& p) {
       if (std::abs(p[axis] - plane) > near_plane) continue;
       const auto found = sheets.find({axis, static_cast<int>(plane), up});
       if (found == sheets.end()) continue;
-      const FlatPlace place = found->second.locator.nearest(flat(found->first, p));
+      const numeric::FlatPlace place = found->second.locator.nearest(flat(found->first, p));
       if (!(place.outside < best.outside)) continue;
       best = {found->second.triangles[place.triangle], place.weight, place.outside};
     }

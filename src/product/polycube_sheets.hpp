@@ -10,8 +10,8 @@
 ///       | front  |/  /|      two; on one that faces down they change places: so triangles seen from outside
 ///       |________/__/ |      are counterclockwise in both.
 
-#include "flat_locator.hpp"
 #include "tetrarch/mesh/surface.hpp"
+#include "tetrarch/numeric/flat_locator.hpp"
 #include "tetrarch/product/solid.hpp"
 
 #include <compare>
@@ -32,8 +32,8 @@ struct Facing {
 std::complex<double> flat(const Facing& facing, const Point& p);
 
 struct Sheet {
-  std::vector<int> triangles; ///< of the surface
-  FlatLocator locator{{}};    ///< of these, in their order
+  std::vector<int> triangles;       ///< of the surface
+  numeric::FlatLocator locator{{}}; ///< of these, in their order
 };
 
 using Sheets = std::map<Facing, Sheet>;

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "tetrarch/product/product.hpp"
 
-#include "for_each.hpp"
-
 #include "tetrarch/core/error.hpp"
 #include "tetrarch/mesh/boundary_loops.hpp"
-#include "tetrarch/mesh/distance.hpp"
 #include "tetrarch/mesh/split_edges.hpp"
-#include "tetrarch/mesh/volume_sign.hpp"
+#include "tetrarch/numeric/parallel.hpp"
+#include "tetrarch/numeric/predicates.hpp"
+#include "tetrarch/numeric/vector.hpp"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -48,7 +47,8 @@ std::vector<mesh::EdgePoint> shortcuts(const Solid& solid, const Partition& part
 double diameter(const std::vector<Point>& points) {
   double greatest = 0;
   for (std::size_t i = 0; i < points.size(); ++i)
-    for (std::size_t j = 0; j < i; ++j) greatest = std::max(greatest, mesh::distance(points[i], points[j]));
+    for (std::size_t j = 0; j < i; ++j)
+      greatest = std::max(greatest, numeric::distance(points[i], points[j]));
   return greatest;
 }
 
@@ -108,17 +108,17 @@ double volume(const Solid& solid, int t) {
 double mean_edge(const Solid& solid) {
   double sum = 0;
   for (const auto& v : solid.mesh.tetrahedra)
-    for (const auto& [i, j] : edge_vertex) sum += mesh::distance(solid.point(v[i]), solid.point(v[j]));
+    for (const auto& [i, j] : edge_vertex) sum += numeric::distance(solid.point(v[i]), solid.point(v[j]));
   return sum / (6.0 * solid.size());
 }
 
 } // namespace
 
-Prepared prepared(Solid before, Partition partition) {
+SplitSolid split_shortcuts(Solid before, Partition partition) {
   const std::vector<mesh::EdgePoint> splits = shortcuts(before, partition);
   if (splits.empty()) return {std::move(before), std::move(partition), 0};
   mesh::SplitTets split = mesh::split_edges(before.mesh, splits);
-  Prepared after{solid(std::move(split.mesh)), {{}, partition.walls}, static_cast<int>(splits.size())};
+  SplitSolid after{solid(std::move(split.mesh)), {{}, partition.walls}, static_cast<int>(splits.size())};
   after.partition.patch.reserve(after.solid.face.size());
   for (const TetFace face : after.solid.face) {
     const int from = 4 * split.origin[face.tet] + split.face_of[4 * face.tet + face.face];
@@ -148,8 +148,9 @@ Coordinates coordinates(const FiberField& field, const FloorMap& floor, int thre
   for (std::size_t v = 0; v < floor.vertex.size(); ++v) position[floor.vertex[v]] = floor.position[v];
   const int count = static_cast<int>(solid.mesh.points.size());
   std::vector<Fiber> fibers(solid.mesh.points.size());
-  for_each(count, threads, batch, progress, "fibres",
-           [&](int v) { fibers[v] = field.trace(field.at_vertex(v), Way::down); });
+  numeric::parallel_for(
+      count, {threads, batch}, [&](int v) { fibers[v] = field.trace(field.at_vertex(v), Way::down); },
+      [&](double part) { progress.step("fibres", part); });
 
   Coordinates result;
   result.uvw.resize(solid.mesh.points.size());
@@ -178,7 +179,7 @@ Quality quality(const Solid& solid, const std::vector<Point>& uvw) {
   double whole = 0;
   for (int t = 0; t < solid.size(); ++t) {
     const auto& v = solid.corners(t);
-    if (mesh::volume_sign(uvw[v[0]], uvw[v[1]], uvw[v[2]], uvw[v[3]]) <= 0) {
+    if (numeric::volume_sign(uvw[v[0]], uvw[v[1]], uvw[v[2]], uvw[v[3]]) != numeric::Sign::positive) {
       q.flipped.push_back(t);
       continue;
     }
@@ -204,13 +205,16 @@ Confirmation confirm(const FiberField& field, int threads, const Progress& progr
   const Solid& solid = field.solid();
   const int count = static_cast<int>(solid.mesh.points.size());
   std::vector<double> distance(solid.mesh.points.size(), -1.0);
-  for_each(count, threads, batch, progress, "the opposite way", [&](int v) {
-    const Fiber down = field.trace(field.at_vertex(v), Way::down);
-    if (down.end != FiberEnd::base) return;
-    const Fiber up = field.trace_to(down.at, Way::up, field.w()[v]);
-    if (up.end == FiberEnd::base || up.end == FiberEnd::level)
-      distance[v] = mesh::distance(point_at(solid, up.at), solid.point(v));
-  });
+  numeric::parallel_for(
+      count, {threads, batch},
+      [&](int v) {
+        const Fiber down = field.trace(field.at_vertex(v), Way::down);
+        if (down.end != FiberEnd::base) return;
+        const Fiber up = field.trace_to(down.at, Way::up, field.w()[v]);
+        if (up.end == FiberEnd::base || up.end == FiberEnd::level)
+          distance[v] = numeric::distance(point_at(solid, up.at), solid.point(v));
+      },
+      [&](double part) { progress.step("the opposite way", part); });
   const double unit = mean_edge(solid);
   Confirmation result;
   for (int v = 0; v < count; ++v) {

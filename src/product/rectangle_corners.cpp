@@ -2,6 +2,7 @@
 #include "rectangle_corners.hpp"
 
 #include "tetrarch/mesh/laplacian.hpp"
+#include "tetrarch/numeric/flat_triangle.hpp"
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
@@ -150,8 +151,7 @@ std::array<std::vector<double>, 2> rough_rectangle(const mesh::TriangleMesh& flo
 Complex gradient(const std::array<Complex, 3>& p, const std::array<double, 3>& f) {
   Complex sum = 0;
   for (int c = 0; c < 3; ++c) sum += f[c] * (p[(c + 2) % 3] - p[(c + 1) % 3]);
-  const double twice_area = (std::conj(p[1] - p[0]) * (p[2] - p[0])).imag();
-  return Complex(0, 1) * sum / twice_area;
+  return Complex(0, 1) * sum / numeric::twice_area(p);
 }
 
 /// The direction in which x grows around a loop: the mean over its triangles, of y turned back, too.

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "tetrarch/product/smooth.hpp"
+#include "tetrarch/numeric/vector.hpp"
 
 #include "tetrarch/core/error.hpp"
-#include "vectors.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +11,7 @@
 namespace tetrarch::product {
 namespace {
 
-using namespace vectors;
+using namespace numeric;
 
 constexpr std::array<std::array<int, 2>, 12> hex_edges{
     {{0, 1}, {1, 2}, {2, 3}, {3, 0}, {4, 5}, {5, 6}, {6, 7}, {7, 4}, {0, 4}, {1, 5}, {2, 6}, {3, 7}}};
@@ -49,10 +49,10 @@ public:
     const double before = score(v);
     if (is_tangled_ && before == 0) return false;
     const Neighbors near = neighbors(v);
-    const Vector to_middle = difference(near.middle, mesh_.points[v]);
+    const Vector to_middle = near.middle - mesh_.points[v];
     double now = before;
     for (const double part : {1.0, 0.5})
-      if (try_step(v, times(part, to_middle), now)) break;
+      if (try_step(v, part * to_middle, now)) break;
     if (now < (is_tangled_ ? 0 : options_.search_below)) search(v, near.mean_length, now);
     return now > before;
   }
@@ -75,11 +75,11 @@ private:
       for (const auto& [i, j] : hex_edges) {
         if (i != corner && j != corner) continue;
         const Vector& other = mesh_.points[mesh_.hexahedra[h][i == corner ? j : i]];
-        result.middle = sum(result.middle, other);
-        result.mean_length += norm(difference(other, mesh_.points[v]));
+        result.middle = result.middle + other;
+        result.mean_length += norm(other - mesh_.points[v]);
         ++count;
       }
-    result.middle = times(1.0 / count, result.middle);
+    result.middle = 1.0 / count * result.middle;
     result.mean_length /= count;
     return result;
   }
@@ -101,7 +101,7 @@ private:
   /// Moves the point if the worst around becomes better, and says so.
   bool try_step(int v, const Vector& step, double& now) {
     const Point before = mesh_.points[v];
-    mesh_.points[v] = sum(before, step);
+    mesh_.points[v] = before + step;
     const double there = score(v);
     if (there > now + options_.least_gain) {
       now = there;
@@ -118,7 +118,7 @@ private:
     for (int halving = 0; halving < halvings; ++halving, step /= 2)
       for (int k = 0; k < most_steps; ++k) {
         bool moved = false;
-        for (const Vector& direction : directions_) moved |= try_step(v, times(step, direction), now);
+        for (const Vector& direction : directions_) moved |= try_step(v, step * direction, now);
         if (!moved) break;
       }
   }

@@ -2,7 +2,7 @@
 #include "tetrarch/product/solid.hpp"
 
 #include "tetrarch/core/error.hpp"
-#include "tetrarch/mesh/volume_sign.hpp"
+#include "tetrarch/numeric/predicates.hpp"
 
 #include <string>
 #include <utility>
@@ -13,11 +13,12 @@ namespace {
 void require_volumes(const mesh::TetMesh& mesh) {
   for (std::size_t t = 0; t < mesh.tetrahedra.size(); ++t) {
     const auto& v = mesh.tetrahedra[t];
-    const int sign =
-        mesh::volume_sign(mesh.points[v[0]], mesh.points[v[1]], mesh.points[v[2]], mesh.points[v[3]]);
-    if (sign > 0) continue;
+    const numeric::Sign sign =
+        numeric::volume_sign(mesh.points[v[0]], mesh.points[v[1]], mesh.points[v[2]], mesh.points[v[3]]);
+    if (sign == numeric::Sign::positive) continue;
     throw InputError("tetrahedron " + std::to_string(t) + " (counted from 0) " +
-                     (sign < 0 ? "is inverted: its volume is negative" : "is flat: its volume is 0"));
+                     (sign == numeric::Sign::negative ? "is inverted: its volume is negative"
+                                                      : "is flat: its volume is 0"));
   }
 }
 

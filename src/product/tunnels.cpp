@@ -3,11 +3,10 @@
 
 #include "branches.hpp"
 #include "patches.hpp"
-#include "vectors.hpp"
 
 #include "tetrarch/core/error.hpp"
-#include "tetrarch/mesh/distance.hpp"
 #include "tetrarch/mesh/laplacian.hpp"
+#include "tetrarch/numeric/vector.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -19,6 +18,8 @@
 
 namespace tetrarch::product {
 namespace {
+
+using namespace numeric;
 
 using mesh::Loop;
 using mesh::MarkedSurface;
@@ -53,8 +54,8 @@ bool is_simple(const MarkedSurface& surface, const std::vector<char>& on_boundar
 double length_of(const MarkedSurface& surface, const Loop& loop) {
   double length = 0;
   for (const SideEnd e : loop)
-    length += mesh::distance(surface.points[surface.surface.from(e.side)],
-                             surface.points[surface.surface.to(e.side)]);
+    length += numeric::distance(surface.points[surface.surface.from(e.side)],
+                                surface.points[surface.surface.to(e.side)]);
   return length;
 }
 
@@ -132,7 +133,7 @@ void move_boundary_away(mesh::TriangleMesh& cut) {
       low[c] = std::min(low[c], p[c]);
       high[c] = std::max(high[c], p[c]);
     }
-  double far = mesh::distance(low, high);
+  double far = numeric::distance(low, high);
   for (const auto& curve : mesh::boundary_curves(cut.surface))
     for (const SideEnd e : curve) {
       cut.points[cut.surface.vertex(e)][0] += far;
@@ -228,7 +229,7 @@ std::array<double, 4> levels_of(const Solid& solid, const CornerValues& values) 
   double whole = 0;
   for (std::size_t t = 0; t < values.size(); ++t) {
     const double mean = (values[t][0] + values[t][1] + values[t][2]) / 3;
-    by_difference.emplace_back(std::abs(mean - 0.5), vectors::norm(areas[t]));
+    by_difference.emplace_back(std::abs(mean - 0.5), norm(areas[t]));
     whole += by_difference.back().second;
   }
   std::sort(by_difference.begin(), by_difference.end());

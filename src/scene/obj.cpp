@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "elements.hpp"
-#include "vector.hpp"
+#include "tetrarch/numeric/vector.hpp"
 #include "writers.hpp"
 
 #include "tetrarch/format/text.hpp"
 
 namespace tetrarch::scene {
 namespace {
+
+using numeric::cross;
+using numeric::direction;
+using numeric::operator+;
+using numeric::operator-;
 
 /// What a line takes at most on average; more only costs time.
 constexpr std::size_t line_bytes = 48;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "elements.hpp"
-#include "vector.hpp"
+#include "tetrarch/numeric/vector.hpp"
 
 #include "tetrarch/core/error.hpp"
 #include "tetrarch/scene/files.hpp"
@@ -12,6 +12,8 @@
 
 namespace tetrarch::scene {
 namespace {
+
+using namespace numeric;
 
 /// The sides of a hexahedron, counter-clockwise from outside.
 constexpr std::array<std::array<int, 4>, 6> hexahedron_sides{

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "elements.hpp"
-#include "vector.hpp"
+#include "tetrarch/numeric/vector.hpp"
 #include "writers.hpp"
 
 #include "tetrarch/core/error.hpp"
@@ -9,6 +9,8 @@
 
 namespace tetrarch::scene {
 namespace {
+
+using namespace numeric;
 
 /// Normals for a surface that has none: at each point the mean over its triangles, by area.
 std::vector<Point> mean_normals(const Surface& surface) {

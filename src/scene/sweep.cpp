@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "elements.hpp"
-#include "vector.hpp"
+#include "tetrarch/numeric/vector.hpp"
 
 #include "tetrarch/core/error.hpp"
 #include "tetrarch/scene/files.hpp"
@@ -11,6 +11,8 @@
 
 namespace tetrarch::scene {
 namespace {
+
+using namespace numeric;
 
 /// How far a sum of two unit vectors may shrink before they count as opposite.
 constexpr double opposite = 1e-6;

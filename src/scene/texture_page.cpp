@@ -1,17 +1,24 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "elements.hpp"
-#include "page_data.hpp"
-#include "vector.hpp"
+#include "tetrarch/core/error.hpp"
+#include "tetrarch/numeric/vector.hpp"
+#include "tetrarch/scene/page.hpp"
+#include "tetrarch/scene/page_parts.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <utility>
 
 namespace tetrarch::scene {
 namespace {
+
+using Json = nlohmann::ordered_json;
+
+using namespace numeric;
 
 const Surface& textured(const Scene& scene) {
   require_sound(scene);
@@ -164,7 +171,7 @@ std::string page_data(const TexturePage& page) {
 }
 
 std::string write_page(const TexturePage& page) {
-  return filled(texture_viewer_page(), [&page] { return page_data(page); });
+  return filled(texture_viewer_page(), page_data(page));
 }
 
 } // namespace tetrarch::scene

@@ -2,6 +2,9 @@
 #include "tetrarch/slit/circular_domain.hpp"
 
 #include "full_turn.hpp"
+#include "log_curve.hpp"
+#include "opening.hpp"
+#include "periodic.hpp"
 #include "rounding.hpp"
 #include "tetrarch/core/error.hpp"
 
@@ -20,100 +23,20 @@ void check(const SlitRing& ring) {
   if (!good) throw PreconditionError("slits must lie inside the ring and span less than a full turn");
 }
 
-Curves sampled(const SlitRing& ring, const std::vector<int>& samples) {
-  Curves curves(samples.size());
-  for (std::size_t k = 0; k < curves.size(); ++k)
+/// Angles of the outer and the inner curve run from 0 to a full turn.
+LogCurves sampled(const SlitRing& ring, const std::vector<int>& samples) {
+  LogCurves curves(samples.size());
+  for (std::size_t k = 0; k < curves.size(); ++k) {
+    const Arc* const arc = k < 2 ? nullptr : &ring.slits[k - 2];
+    const double radius = k == 0 ? 1.0 : k == 1 ? ring.inner : arc->radius;
+    curves[k].center = Complex(std::log(radius), arc != nullptr ? (arc->start + arc->end) / 2 : 0.0);
     for (int j = 0; j < samples[k]; ++j) {
       const double t = full_turn * j / samples[k];
-      if (k < 2) {
-        curves[k].push_back(std::polar(k == 0 ? 1.0 : ring.inner, t));
-        continue;
-      }
-      const Arc& arc = ring.slits[k - 2];
-      const double angle = (arc.start + arc.end) / 2 + (arc.end - arc.start) / 2 * std::cos(t);
-      curves[k].push_back(std::polar(arc.radius, angle));
+      curves[k].offset.emplace_back(0, arc != nullptr ? (arc->end - arc->start) / 2 * std::cos(t) : t);
     }
+  }
   return curves;
 }
-
-double signed_area(const std::vector<Complex>& curve) {
-  double sum = 0;
-  for (std::size_t j = 0; j < curve.size(); ++j)
-    sum += (std::conj(curve[j]) * curve[(j + 1) % curve.size()]).imag();
-  return sum / 2;
-}
-
-/// The opening of one slit, z + O(1/z):
-///
-///     w = sqrt((z - start) / (z - end)),   1 at infinity,
-///     z' = (end - start) / (2 (w - 1)) + (3 end + start) / 4
-///
-/// The principal root is cut along the straight segment; a point between it and the slit has the other one.
-class Opening {
-public:
-  explicit Opening(std::vector<Complex> slit)
-      : slit_(std::move(slit)), start_(slit_[slit_.size() / 2]), end_(slit_[0]) {}
-
-  /// A closed curve that does not meet the slit.
-  std::vector<Complex> operator()(const std::vector<Complex>& curve) const {
-    std::vector<Complex> result;
-    Complex last = principal(curve[0]) * (is_behind(curve[0]) ? -1.0 : 1.0);
-    for (const Complex z : curve) {
-      last = continued(principal(z), last);
-      result.push_back(opened(last));
-    }
-    return result;
-  }
-
-  /// The slit itself. One bank has the roots of the other with the opposite sign; which has which, the
-  /// direction of the curve tells.
-  std::vector<Complex> itself() const {
-    std::vector<Complex> curve = with_sign(1);
-    return signed_area(curve) > 0 ? curve : with_sign(-1);
-  }
-
-private:
-  Complex principal(Complex z) const { return std::sqrt((z - start_) / (z - end_)); }
-  static Complex continued(Complex root, Complex last) {
-    return (root * std::conj(last)).real() < 0 ? -root : root;
-  }
-  Complex opened(Complex w) const {
-    return (end_ - start_) / (2.0 * (w - 1.0)) + (3.0 * end_ + start_) / 4.0;
-  }
-
-  /// Whether the slit and the segment that closes it go round z: an odd number of their edges crosses the ray
-  /// from z to the right.
-  bool is_behind(Complex z) const {
-    bool odd = false;
-    const std::size_t half = slit_.size() / 2;
-    for (std::size_t j = 0; j <= half; ++j) {
-      const Complex p = slit_[j];
-      const Complex q = j < half ? slit_[j + 1] : slit_[0];
-      if ((p.imag() > z.imag()) == (q.imag() > z.imag())) continue;
-      const double share = (z.imag() - p.imag()) / (q.imag() - p.imag());
-      if (p.real() + share * (q.real() - p.real()) > z.real()) odd = !odd;
-    }
-    return odd;
-  }
-
-  std::vector<Complex> with_sign(double sign) const {
-    const std::size_t n = slit_.size();
-    std::vector<Complex> result(n);
-    result[0] = (3.0 * end_ + start_) / 4.0; // w is infinite
-    result[n / 2] = opened(0);
-    Complex last = principal(slit_[1]) * sign;
-    for (std::size_t j = 1; j < n / 2; ++j) {
-      last = continued(principal(slit_[j]), last);
-      result[j] = opened(last);
-      result[n - j] = opened(-last);
-    }
-    return result;
-  }
-
-  std::vector<Complex> slit_;
-  Complex start_;
-  Complex end_;
-};
 
 Complex mean(const std::vector<Complex>& curve) {
   return std::accumulate(curve.begin(), curve.end(), Complex(0)) / static_cast<double>(curve.size());
@@ -147,63 +70,119 @@ Circle fitted(const std::vector<Complex>& curve) {
   return circle;
 }
 
+/// The curve's shift when what is around it is mapped by `h`: w = expm1(zeta - center) -> w + h(w), which
+/// takes the curve's own samples to `image`. All other curves are carried along.
+void map_around(LogCurves& curves, std::size_t k, const Shift& h, double reach,
+                const std::vector<Complex>& image) {
+  const LogCurve own = curves[k];
+  const Shift shift = [&](const std::vector<Complex>& path) { return shift_of(h, reach, own.center, path); };
+  for (std::size_t other = 0; other < curves.size(); ++other)
+    if (other != k) carry(curves[other], shift, gap(curves[other].center, own));
+  // z / exp(center) - 1 of the image, after the translation that keeps z = 0 in its place.
+  const Complex middle = mean(image);
+  const Complex center = middle - h({-1.0})[0];
+  curves[k].center += log1p(center);
+  for (std::size_t j = 0; j < image.size(); ++j) curves[k].offset[j] = (image[j] - middle) / (1.0 + center);
+  curves[k].offset = log1p_along(std::move(curves[k].offset));
+}
+
+void open(LogCurves& curves, std::size_t k) {
+  const Opening opening(local(curves[k]));
+  map_around(curves, k, opening, opening.reach(), opening.itself());
+}
+
+void make_round(LogCurves& curves, std::size_t k) {
+  const std::vector<Complex> samples = local(curves[k]);
+  const OuterRounding rounding(samples);
+  const Shift h = [&](const std::vector<Complex>& path) {
+    std::vector<Complex> result;
+    result.reserve(path.size());
+    for (const Complex w : path) result.push_back(rounding.added(w));
+    return result;
+  };
+  map_around(curves, k, h, distance_from_zero(samples), rounding.samples());
+}
+
+/// The outer curve, or the inner one, which is an outer one for 1 / conj(z).
+void make_round_about_zero(LogCurves& curves, bool is_outer) {
+  LogCurve& own = curves[is_outer ? 0 : 1];
+  const LogCurve before = own;
+  const auto inward = [&](Complex zeta) {
+    return is_outer ? zeta - before.center : -std::conj(zeta - before.center);
+  };
+  std::vector<Complex> curve;
+  for (std::size_t j = 0; j < before.size(); ++j) curve.push_back(std::exp(inward(before.at(j))));
+  const InnerRounding rounding(std::move(curve));
+  const Complex at_infinity = is_outer ? 0 : rounding(0);
+  const auto added = [&](Complex f) { return is_outer ? f : -std::conj(f - at_infinity); };
+  const Shift shift = [&](const std::vector<Complex>& path) {
+    std::vector<Complex> result;
+    result.reserve(path.size());
+    for (const Complex zeta : path) result.push_back(added(rounding(std::exp(inward(zeta)))));
+    return result;
+  };
+  for (LogCurve& curve_moved : curves)
+    if (&curve_moved != &own) carry(curve_moved, shift, gap(curve_moved.center, before));
+  for (std::size_t j = 0; j < own.size(); ++j) own.offset[j] += added(rounding.logs()[j]);
+}
+
 /// Makes every curve a circle once, the outer one last.
-void go_round(Curves& curves) {
-  for (std::size_t turn = 0; turn < curves.size(); ++turn) {
-    const std::size_t k = (turn + 1) % curves.size();
-    const Rounding rounding(curves[k], k == 0 ? Rounding::Of::inside : Rounding::Of::outside);
-    for (std::size_t other = 0; other < curves.size(); ++other)
-      if (other != k)
-        for (Complex& z : curves[other]) z = rounding(z);
-    curves[k] = rounding.samples();
-  }
+void go_round(LogCurves& curves) {
+  make_round_about_zero(curves, false);
+  for (std::size_t k = 2; k < curves.size(); ++k) make_round(curves, k);
+  make_round_about_zero(curves, true);
+}
+
+/// The outer and the inner curve are circles about 0, once they are circles.
+Circle fitted_about_zero(const LogCurve& curve) {
+  double log_radius = 0;
+  for (const Complex d : curve.offset) log_radius += d.real() / static_cast<double>(curve.size());
+  Circle circle{0, std::exp(curve.center.real() + log_radius), 0};
+  for (const Complex d : curve.offset)
+    circle.circularity = std::max(circle.circularity, std::abs(std::expm1(d.real() - log_radius)));
+  return circle;
+}
+
+double unresolved_part(const LogCurve& curve) {
+  return unresolved(local(curve));
+}
+
+double greater(double a, double b) {
+  return a > b || std::isnan(a) ? a : b;
 }
 
 void measure(CircularDomain& domain) {
   domain.circles.clear();
   domain.circularity = domain.unresolved = 0;
-  for (const auto& curve : domain.curves) {
-    domain.circles.push_back(fitted(curve));
-    domain.circularity = std::max(domain.circularity, domain.circles.back().circularity);
-    domain.unresolved = std::max(domain.unresolved, unresolved(curve));
+  for (std::size_t k = 0; k < domain.curves.size(); ++k) {
+    const LogCurve& curve = domain.curves[k];
+    if (k < 2) {
+      domain.circles.push_back(fitted_about_zero(curve));
+    } else {
+      Circle circle = fitted(local(curve));
+      const Complex scale = std::exp(curve.center);
+      circle.center = scale * (1.0 + circle.center);
+      circle.radius *= std::abs(scale);
+      domain.circles.push_back(circle);
+    }
+    domain.circularity = greater(domain.circles.back().circularity, domain.circularity);
+    domain.unresolved = greater(unresolved_part(curve), domain.unresolved);
   }
 }
 
-template <class Map>
-void apply(Curves& curves, const Map& map) {
-  for (auto& curve : curves)
-    for (Complex& z : curve) z = map(z);
+/// The outer circle to the unit circle, the center of the first slit's circle to the positive axis.
+void normalise(LogCurves& curves) {
+  double outer = 0;
+  for (const Complex d : curves[0].offset) outer += d.real() / static_cast<double>(curves[0].size());
+  outer += curves[0].center.real();
+  double turn = 0;
+  if (curves.size() > 2) turn = curves[2].center.imag() + std::arg(1.0 + fitted(local(curves[2])).center);
+  for (LogCurve& curve : curves) curve.center -= Complex(outer, turn);
 }
 
-/// The outer circle to the unit circle, the inner one to one about 0, the first slit to the positive axis.
-void normalise(Curves& curves) {
-  const Circle outer = fitted(curves[0]);
-  apply(curves, [&](Complex z) { return (z - outer.center) / outer.radius; });
-  const Circle inner = fitted(curves[1]);
-  const double c = std::abs(inner.center);
-  if (c > 0) {
-    // On the line through both centres: the point p such that (p, 1/p) are inverse to one another in the
-    // inner circle too: p + 1/p = (1 + c^2 - r^2) / c.
-    const double sum = (1 + c * c - inner.radius * inner.radius) / c;
-    const Complex p = inner.center / c * (2 / (sum + std::sqrt(sum * sum - 4)));
-    apply(curves, [&](Complex z) { return (z - p) / (1.0 - std::conj(p) * z); });
-  }
-  if (curves.size() < 3) return;
-  const Complex first = fitted(curves[2]).center;
-  apply(curves, [turn = std::conj(first) / std::abs(first)](Complex z) { return z * turn; });
-}
-
-/// The domain with its slits opened, by so many samples of each curve.
 CircularDomain opened(const SlitRing& ring, const std::vector<int>& samples) {
   CircularDomain domain;
-  domain.curves = sampled(ring, samples);
-  domain.stages.push_back(domain.curves);
-  for (std::size_t k = 2; k < domain.curves.size(); ++k) {
-    const Opening opening(domain.curves[k]);
-    for (std::size_t other = 0; other < domain.curves.size(); ++other)
-      domain.curves[other] = other == k ? opening.itself() : opening(domain.curves[other]);
-    domain.stages.push_back(domain.curves);
-  }
+  domain.curves = opened_slits(ring, samples, ring.slits.size());
   measure(domain);
   return domain;
 }
@@ -236,7 +215,7 @@ public:
   bool refine(const CircularDomain& domain) {
     bool refined = false;
     for (std::size_t k = 0; k < samples_.size(); ++k) {
-      const double now = unresolved(domain.curves[k]);
+      const double now = unresolved_part(domain.curves[k]);
       if (samples_[k] >= options_.most_samples || now < options_.tolerance / 10 || !(now < before_[k] / 2))
         continue;
       before_[k] = now;
@@ -262,21 +241,30 @@ CircularDomain circular_domain(const SlitRing& ring, const CircularOptions& opti
     if (sampling.refine(domain)) continue; // openings cost next to nothing
     iterate(domain, options);
     if (sampling.refine(domain)) continue;
-    domain.found = domain.circularity < options.tolerance && domain.unresolved < options.tolerance;
     normalise(domain.curves);
     measure(domain);
-    // What is 0 but for rounding.
-    domain.circles[0].center = domain.circles[1].center = 0;
-    if (domain.circles.size() > 2) domain.circles[2].center.imag(0);
+    domain.found = domain.circularity < options.tolerance && domain.unresolved < options.tolerance;
+    domain.circles[0].radius = 1;
+    if (domain.circles.size() > 2) domain.circles[2].center.imag(0); // what is 0 but for rounding
     return domain;
   }
 }
 
+LogCurves opened_slits(const SlitRing& ring, const std::vector<int>& samples, std::size_t slits) {
+  check(ring);
+  if (samples.size() != ring.slits.size() + 2 || slits > ring.slits.size())
+    throw PreconditionError("each curve needs a number of samples, and only slits can be opened");
+  LogCurves curves = sampled(ring, samples);
+  for (std::size_t k = 0; k < slits; ++k) open(curves, k + 2);
+  return curves;
+}
+
 std::vector<Complex> curve_at(const CircularDomain& domain, int curve, const std::vector<double>& t) {
-  const Periodic at(domain.curves[static_cast<std::size_t>(curve)]);
+  const LogCurve& samples = domain.curves[static_cast<std::size_t>(curve)];
+  const Periodic at(local(samples));
   std::vector<Complex> result;
   result.reserve(t.size());
-  for (const double parameter : t) result.push_back(at(parameter));
+  for (const double parameter : t) result.push_back(std::exp(samples.center) * (1.0 + at(parameter)));
   return result;
 }
 

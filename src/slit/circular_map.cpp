@@ -2,52 +2,56 @@
 #include "tetrarch/slit/circular_map.hpp"
 
 #include "full_turn.hpp"
-#include "periodic.hpp"
-#include "slit_curve.hpp"
+#include "log_extension.hpp"
 #include "tetrarch/core/error.hpp"
-#include "tetrarch/mesh/distance.hpp"
-#include "tetrarch/mesh/laplacian.hpp"
 
 #include <cmath>
 #include <string>
-#include <utility>
 
 namespace tetrarch::slit {
 namespace {
 
-using mesh::Side;
+/// Beyond this modulus the inner radius, or an edge beside it, would be no normal double.
+constexpr double greatest_modulus = 700;
+/// Angles are known to about 1e-15, so of a slit this short the last digits only.
+constexpr double shortest_slit = 1e-12;
 
-/// Of each vertex of a loop the parameter on its curve.
-std::vector<double> parameters(const OneForms& forms, const SlitMap& map, int loop) {
-  if (loop != map.outer && loop != map.inner) return slit_curve(forms, map.form.imaginary, loop).parameter;
-  std::vector<double> t;
-  for (const mesh::SideEnd e : forms.loops()[loop].sides)
-    t.push_back(map.angle[forms.mesh().surface.vertex(e)]);
-  return t;
+[[noreturn]] void refuse(const std::string& fault, const std::string& way_out) {
+  throw InputError(fault + "; the surface is too long and thin for this domain" + way_out);
 }
 
-std::vector<Complex> extended(const OneForms& forms, const SlitMap& map, const std::vector<int>& loops,
-                              const Curves& curves) {
-  std::vector<Complex> places(forms.mesh().points.size());
-  for (std::size_t k = 0; k < loops.size(); ++k) {
-    const Periodic curve(curves[k]);
-    const std::vector<double> t = parameters(forms, map, loops[k]);
-    for (std::size_t j = 0; j < t.size(); ++j)
-      places[forms.mesh().surface.vertex(forms.loops()[loops[k]].sides[j])] = curve(t[j]);
-  }
-  return forms.extended(places);
+std::vector<int> samples_of(const LogCurves& curves) {
+  std::vector<int> result;
+  for (const LogCurve& curve : curves) result.push_back(static_cast<int>(curve.size()));
+  return result;
+}
+
+/// Samples are off their circles by as much as they do not resolve, and vertices between them with them.
+void put_on_circles(const OneForms& forms, CircularMap& map) {
+  for (std::size_t k = 0; k < map.loop.size(); ++k)
+    for (const mesh::SideEnd e : forms.loops()[map.loop[k]].sides) {
+      std::complex<double>& z = map.position[forms.mesh().surface.vertex(e)];
+      const Circle& circle = map.domain.circles[k];
+      const std::complex<double> arm = z - circle.center;
+      z = circle.center + arm / std::abs(arm) * circle.radius;
+    }
 }
 
 } // namespace
 
 SlitRing slit_ring(const SlitMap& map) {
+  if (!(map.modulus < greatest_modulus))
+    refuse("the inner radius, e^-" + std::to_string(map.modulus) + ", is too small for a double",
+           " (the cylindric and the parallel domain have room for it)");
   SlitRing ring{std::exp(-map.modulus), {}};
   for (const Slit& s : map.slits) {
-    const bool inside = ring.inner < s.radius && s.radius < 1;
-    if (!inside || !(s.start < s.end && s.end - s.start < full_turn))
-      throw InputError("the slit of loop " + std::to_string(s.loop) +
-                       (inside ? " is a full circle" : " lies on a circle of the ring") +
-                       ", up to rounding; the surface is too long and thin for this domain");
+    const std::string slit = "the slit of loop " + std::to_string(s.loop);
+    const std::string way_out = "; --outer " + std::to_string(map.outer) + " --inner " +
+                                std::to_string(s.loop) + " makes that loop the inner circle";
+    if (!(ring.inner < s.radius && s.radius < 1))
+      refuse(slit + " lies on a circle of the ring, up to rounding", way_out);
+    if (!(s.end - s.start < full_turn)) refuse(slit + " is a full circle, up to rounding", way_out);
+    if (!(s.end - s.start > shortest_slit)) refuse(slit + " is a point, up to rounding", way_out);
     ring.slits.push_back({s.radius, s.start, s.end});
   }
   return ring;
@@ -57,78 +61,22 @@ CircularMap circular_map(const OneForms& forms, const SlitMap& map, const Circul
   CircularMap result;
   result.loop = {map.outer, map.inner};
   for (const Slit& s : map.slits) result.loop.push_back(s.loop);
-  result.domain = circular_domain(slit_ring(map), options);
-  result.position = extended(forms, map, result.loop, result.domain.curves);
+  const SlitRing ring = slit_ring(map);
+  result.domain = circular_domain(ring, options);
+  const LogCurves from = opened_slits(ring, samples_of(result.domain.curves), 0);
+  result.position = extended_in_logs(forms, map, result.loop, from, result.domain.curves);
+  refine_branches(forms, map, result);
+  if (result.domain.found) put_on_circles(forms, result);
   return result;
 }
 
-int innermost_vertex(const mesh::TriangleMesh& mesh) {
-  const mesh::Surface& surface = mesh.surface;
-  std::vector<std::vector<int>> neighbours(static_cast<std::size_t>(surface.vertex_count()));
-  std::vector<char> met(neighbours.size(), 0);
-  std::vector<int> queue;
-  for (int k = 0; k < surface.side_count(); ++k) {
-    const Side s(k);
-    neighbours[surface.from(s)].push_back(surface.to(s));
-    if (!surface.is_boundary(s)) continue;
-    neighbours[surface.to(s)].push_back(surface.from(s));
-    if (!std::exchange(met[surface.from(s)], 1)) queue.push_back(surface.from(s));
-  }
-  const std::size_t boundary = queue.size();
-  for (std::size_t next = 0; next < queue.size(); ++next)
-    for (const int v : neighbours[queue[next]])
-      if (!std::exchange(met[v], 1)) queue.push_back(v);
-  return queue.size() > boundary ? queue.back() : -1;
-}
-
-CircularMap disk_map(const mesh::TriangleMesh& mesh, int center) {
-  const mesh::Surface& surface = mesh.surface;
-  const SurfaceType type = mesh::type_of(surface);
-  const auto loops = mesh::boundary_loops(mesh);
-  if (!type.orientable || type.euler != 1 || loops.size() != 1)
-    throw InputError("Riemann's map needs a disk, but this surface has type " + type.str());
-  const std::vector<int> loop = mesh::loops_of_vertices(loops, surface);
-  if (center < 0 || center >= surface.vertex_count() || loop[center] >= 0)
-    throw InputError("the center of the disk must be an interior vertex");
-  const std::vector<double> weight = mesh::half_cotangents(mesh);
-  std::vector<char> held;
-  held.reserve(loop.size());
-  for (const int k : loop) held.push_back(k >= 0);
-  const mesh::LaplaceSolver solver(surface, weight, held);
-  mesh::LaplaceSolver::Columns data(1, std::vector<double>(held.size(), 0.0));
-  data[0][center] = -full_turn;
-  const std::vector<double> flux = mesh::fluxes(surface, weight, solver.solve(data)[0]);
-
-  // Fluxes are averages of the density over both edges at a vertex, which is the speed of the angle.
-  const auto& sides = loops[0].sides;
-  const std::size_t n = sides.size();
-  std::vector<double> length;
-  length.reserve(n);
-  for (const mesh::SideEnd e : sides)
-    length.push_back(mesh::distance(mesh.points[surface.from(e.side)], mesh.points[surface.to(e.side)]));
-  const auto density = [&](std::size_t j) {
-    return 2 * flux[surface.vertex(sides[j % n])] / (length[j % n] + length[(j + n - 1) % n]);
-  };
-  data.assign(2, std::vector<double>(held.size(), 0.0));
-  double angle = 0;
-  for (std::size_t j = 0; j < n; ++j) {
-    data[0][surface.vertex(sides[j])] = std::cos(angle);
-    data[1][surface.vertex(sides[j])] = std::sin(angle);
-    angle += length[j] * (density(j) + density(j + 1)) / 2;
-  }
-  const mesh::LaplaceSolver::Columns position = solver.solve(data);
-  CircularMap result;
-  result.loop = {0};
-  result.domain.circles = {{0, 1, 0}};
-  result.domain.found = true;
-  for (std::size_t v = 0; v < held.size(); ++v) result.position.emplace_back(position[0][v], position[1][v]);
-  return result;
-}
-
-std::vector<Complex> opening_stage(const OneForms& forms, const SlitMap& map, const CircularMap& circular,
-                                   std::size_t stage) {
-  if (stage >= circular.domain.stages.size()) throw PreconditionError("there is no such stage");
-  return extended(forms, map, circular.loop, circular.domain.stages[stage]);
+std::vector<std::complex<double>> opening_stage(const OneForms& forms, const SlitMap& map,
+                                                const CircularMap& circular, std::size_t stage) {
+  if (stage > map.slits.size()) throw PreconditionError("there is no such stage");
+  const std::vector<int> samples = samples_of(circular.domain.curves);
+  const SlitRing ring = slit_ring(map);
+  return extended_in_logs(forms, map, circular.loop, opened_slits(ring, samples, 0),
+                          opened_slits(ring, samples, stage));
 }
 
 } // namespace tetrarch::slit

@@ -2,7 +2,7 @@
 #include "quad_points.hpp"
 
 #include "full_turn.hpp"
-#include "tetrarch/mesh/distance.hpp"
+#include "tetrarch/numeric/vector.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -178,8 +178,8 @@ public:
   /// Where the angle turns at vertex k, which is an extremum: the parabola through it and its neighbours,
   /// over the length along the edges, has slope 0.
   double turning_place(long k) const {
-    const double before = mesh::distance(vertex(k - 1), vertex(k));
-    const double after = mesh::distance(vertex(k), vertex(k + 1));
+    const double before = numeric::distance(vertex(k - 1), vertex(k));
+    const double after = numeric::distance(vertex(k), vertex(k + 1));
     const double slope_before = (angle(k) - angle(k - 1)) / before;
     const double slope_after = (angle(k + 1) - angle(k)) / after;
     if (slope_before == slope_after) return static_cast<double>(k);

@@ -4,6 +4,7 @@
 #include "full_turn.hpp"
 #include "quad_points.hpp"
 #include "tetrarch/core/error.hpp"
+#include "tetrarch/numeric/vector.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,6 +12,8 @@
 
 namespace tetrarch::slit {
 namespace {
+
+using namespace numeric;
 
 /// Lines nearer than this are one.
 constexpr double same_line = 1e-9;
@@ -148,25 +151,12 @@ private:
   std::vector<int> above_;
 };
 
-SpacePoint difference(const SpacePoint& p, const SpacePoint& q) {
-  return {q[0] - p[0], q[1] - p[1], q[2] - p[2]};
-}
-double dot(const SpacePoint& a, const SpacePoint& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-SpacePoint cross(const SpacePoint& a, const SpacePoint& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-double length(const SpacePoint& a) {
-  return std::hypot(a[0], a[1], a[2]);
-}
-
 double warp(const std::array<SpacePoint, 4>& p) {
-  const SpacePoint a = difference(p[0], p[2]);
-  const SpacePoint b = difference(p[1], p[3]);
+  const SpacePoint a = p[2] - p[0];
+  const SpacePoint b = p[3] - p[1];
   const SpacePoint normal = cross(a, b);
   if (length(normal) == 0) return 0;
-  return std::abs(dot(normal, difference(p[0], p[1]))) / length(normal) * 2 / (length(a) + length(b));
+  return std::abs(dot(normal, p[1] - p[0])) / length(normal) * 2 / (length(a) + length(b));
 }
 
 } // namespace
@@ -219,13 +209,13 @@ std::vector<QuadEdge> edges(const QuadMesh& mesh) {
 
 QuadQuality quality(const QuadMesh& mesh) {
   QuadQuality result;
-  result.min_edge = length(difference(mesh.points[mesh.quads[0][0]], mesh.points[mesh.quads[0][1]]));
+  result.min_edge = distance(mesh.points[mesh.quads[0][0]], mesh.points[mesh.quads[0][1]]);
   for (const auto& quad : mesh.quads) {
     std::array<SpacePoint, 4> p{};
     for (std::size_t c = 0; c < 4; ++c) p[c] = mesh.points[quad[c]];
     for (std::size_t c = 0; c < 4; ++c) {
-      const SpacePoint next = difference(p[c], p[(c + 1) % 4]);
-      const SpacePoint previous = difference(p[c], p[(c + 3) % 4]);
+      const SpacePoint next = p[(c + 1) % 4] - p[c];
+      const SpacePoint previous = p[(c + 3) % 4] - p[c];
       const double angle = std::atan2(length(cross(next, previous)), dot(next, previous));
       const double error = std::abs(angle - full_turn / 4);
       result.mean_angle_error += error;

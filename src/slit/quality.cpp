@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "tetrarch/slit/quality.hpp"
 
-#include "flat_triangle.hpp"
 #include "full_turn.hpp"
 #include "tetrarch/mesh/laplacian.hpp"
+#include "tetrarch/numeric/flat_triangle.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <complex>
+#include <utility>
 
 namespace tetrarch::slit {
 namespace {
@@ -16,10 +17,37 @@ namespace {
 using mesh::Side;
 using Complex = std::complex<double>;
 
-double angle_at(const FlatTriangle& p, int c) {
+double angle_at(const numeric::FlatTriangle& p, int c) {
   const Complex a = p[(c + 1) % 3] - p[c];
   const Complex b = p[(c + 2) % 3] - p[c];
   return std::abs(std::arg(b * std::conj(a)));
+}
+
+/// The greater one, and NaN once there was one, which std::max drops.
+void raise_to(double& greatest, double x) {
+  if (!(x <= greatest)) greatest = x;
+}
+
+/// The greatest extent along an axis.
+double extent(const std::vector<std::array<double, 3>>& points) {
+  double result = 0;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    double least = INFINITY;
+    double most = -INFINITY;
+    for (const auto& p : points) {
+      least = std::min(least, p[axis]);
+      most = std::max(most, p[axis]);
+    }
+    result = std::max(result, most - least);
+  }
+  return result > 0 ? result : 1;
+}
+
+/// The same shape with its longest side about 1 long, and how long that side was: squares of e^-300
+/// underflow.
+std::pair<numeric::FlatTriangle, double> of_size_one(numeric::FlatTriangle q) {
+  const double size = std::max({std::abs(q[1] - q[0]), std::abs(q[2] - q[1]), std::abs(q[0] - q[2])});
+  return {{0.0, (q[1] - q[0]) / size, (q[2] - q[0]) / size}, size};
 }
 
 /// Of the triangles that are not `skipped`.
@@ -27,6 +55,7 @@ template <class Image>
 Distortion distortion(const mesh::TriangleMesh& mesh, const std::vector<char>& skipped, const Image& image) {
   Distortion result;
   double area = 0;
+  const double unit = extent(mesh.points);
   int corners = 0;
   for (int t = 0; t < mesh.surface.triangle_count(); ++t) {
     result.quasi_conformal.push_back(0);
@@ -35,22 +64,24 @@ Distortion distortion(const mesh::TriangleMesh& mesh, const std::vector<char>& s
       ++result.ears;
       continue;
     }
-    const FlatTriangle p = laid_flat(mesh.points, mesh.surface.corners(t));
-    const FlatTriangle q = image(t);
-    const double ratio = ratio_of_axes(p, q);
-    if (ratio == 0) {
+    const auto [p, size] = of_size_one(numeric::laid_flat(mesh.points, mesh.surface.corners(t)));
+    const auto [q, image_size] = of_size_one(image(t));
+    const double ratio = numeric::ratio_of_axes(p, q);
+    if (!(ratio > 0)) {
       result.flipped.push_back(t);
       continue;
     }
     result.quasi_conformal.back() = ratio;
-    result.max_quasi_conformal = std::max(result.max_quasi_conformal, ratio);
-    result.log_factor.back() = std::log(twice_area(q) / twice_area(p)) / 2;
-    result.mean_quasi_conformal += ratio * twice_area(p);
-    area += twice_area(p);
+    raise_to(result.max_quasi_conformal, ratio);
+    result.log_factor.back() =
+        std::log(numeric::twice_area(q) / numeric::twice_area(p)) / 2 + std::log(image_size) - std::log(size);
+    const double share = numeric::twice_area(p) * (size / unit) * (size / unit);
+    result.mean_quasi_conformal += ratio * share;
+    area += share;
     for (int c = 0; c < 3; ++c) {
       const double error = std::abs(angle_at(p, c) - angle_at(q, c));
       result.mean_angle_error += error;
-      result.max_angle_error = std::max(result.max_angle_error, error);
+      raise_to(result.max_angle_error, error);
     }
     corners += 3;
   }
@@ -60,37 +91,59 @@ Distortion distortion(const mesh::TriangleMesh& mesh, const std::vector<char>& s
   return result;
 }
 
+/// Those of all loops but one.
+std::vector<char> ears_of(const mesh::Surface& surface, const std::vector<int>& loop, int but) {
+  std::vector<char> result;
+  for (const auto& v : surface.triangles())
+    result.push_back(static_cast<char>(loop[v[0]] >= 0 && loop[v[0]] != but && loop[v[0]] == loop[v[1]] &&
+                                       loop[v[0]] == loop[v[2]]));
+  return result;
+}
+
 } // namespace
 
 std::vector<char> ears(const OneForms& forms) {
-  const mesh::Surface& surface = forms.mesh().surface;
-  const std::vector<int> loop = mesh::loops_of_vertices(forms.loops(), surface);
-  std::vector<char> result;
-  for (const auto& v : surface.triangles())
-    result.push_back(loop[v[0]] >= 0 && loop[v[0]] == loop[v[1]] && loop[v[0]] == loop[v[2]]);
-  return result;
+  return ears_of(forms.mesh().surface, mesh::loops_of_vertices(forms.loops(), forms.mesh().surface), -1);
+}
+
+std::vector<char> ears_in_disk(const mesh::TriangleMesh& mesh, const CircularMap& map) {
+  const auto loops = mesh::boundary_loops(mesh);
+  return ears_of(mesh.surface, mesh::loops_of_vertices(loops, mesh.surface), map.loop.at(0));
 }
 
 Distortion distortion_on_cylinder(const OneForms& forms, const SlitMap& map) {
   return distortion(forms.mesh(), ears(forms), [&](int t) {
     const auto value = [&](Side s) { return Complex(map.form.real[s.value], map.form.imaginary[s.value]); };
-    return FlatTriangle{0.0, value(Side(t, 2)), -value(Side(t, 1))};
+    return numeric::FlatTriangle{0.0, value(Side(t, 2)), -value(Side(t, 1))};
   });
 }
 
 Distortion distortion_on_ring(const OneForms& forms, const SlitMap& map) {
   return distortion(forms.mesh(), ears(forms), [&](int t) {
     const auto& v = forms.mesh().surface.corners(t);
-    return FlatTriangle{map.concentric(v[0]), map.concentric(v[1]), map.concentric(v[2])};
+    return numeric::FlatTriangle{map.concentric(v[0]), map.concentric(v[1]), map.concentric(v[2])};
   });
 }
 
-Distortion distortion_in_plane(const mesh::TriangleMesh& mesh, const std::vector<Complex>& position) {
-  const std::vector<char> none(static_cast<std::size_t>(mesh.surface.triangle_count()), 0);
-  return distortion(mesh, none, [&](int t) {
+namespace {
+
+Distortion distortion_in_plane(const mesh::TriangleMesh& mesh, const std::vector<char>& skipped,
+                               const std::vector<Complex>& position) {
+  return distortion(mesh, skipped, [&](int t) {
     const auto& v = mesh.surface.corners(t);
-    return FlatTriangle{position[v[0]], position[v[1]], position[v[2]]};
+    return numeric::FlatTriangle{position[v[0]], position[v[1]], position[v[2]]};
   });
+}
+
+} // namespace
+
+Distortion distortion_in_plane(const mesh::TriangleMesh& mesh, const std::vector<Complex>& position) {
+  return distortion_in_plane(mesh, std::vector<char>(static_cast<std::size_t>(mesh.surface.triangle_count())),
+                             position);
+}
+
+Distortion distortion_in_disk(const mesh::TriangleMesh& mesh, const CircularMap& map) {
+  return distortion_in_plane(mesh, ears_in_disk(mesh, map), map.position);
 }
 
 Residuals residuals(const OneForms& forms, const SlitMap& map) {
@@ -101,18 +154,17 @@ Residuals residuals(const OneForms& forms, const SlitMap& map) {
   Residuals result;
   for (int v = 0; v < surface.vertex_count(); ++v)
     if (loop[v] < 0)
-      result.harmonic = std::max(result.harmonic, std::abs(flux[v]));
+      raise_to(result.harmonic, std::abs(flux[v]));
     else
       through[loop[v]] += flux[v];
   for (int k = 0; k < forms.loop_count(); ++k) {
     const double wanted = k == map.outer ? full_turn : k == map.inner ? -full_turn : 0.0;
     const double found = period(map.form.imaginary, forms.loops()[k]);
-    result.period = std::max(result.period, std::abs(found - wanted));
-    result.flux = std::max(result.flux, std::abs(through[k] - wanted));
+    raise_to(result.period, std::abs(found - wanted));
+    raise_to(result.flux, std::abs(through[k] - wanted));
     const auto radius = [&](mesh::SideEnd e) { return std::abs(map.concentric(surface.vertex(e))); };
     const auto& sides = forms.loops()[k].sides;
-    for (const mesh::SideEnd e : sides)
-      result.radius = std::max(result.radius, std::abs(radius(e) - radius(sides.front())));
+    for (const mesh::SideEnd e : sides) raise_to(result.radius, std::abs(radius(e) - radius(sides.front())));
   }
   return result;
 }

@@ -2,13 +2,13 @@
 #include "tetrarch/slit/registration.hpp"
 
 #include "flat_location.hpp"
-#include "flat_triangle.hpp"
 #include "full_turn.hpp"
 #include "periodic.hpp"
 #include "tetrarch/core/error.hpp"
 #include "tetrarch/slit/quality.hpp"
 #include "tetrarch/slit/unflip.hpp"
 
+#include "tetrarch/numeric/flat_triangle.hpp"
 #include <Eigen/Geometry>
 #include <Eigen/SVD>
 #include <algorithm>
@@ -219,7 +219,8 @@ std::vector<int> checked_matching(const OneForms& a, const CircularMap& map_a, s
   return matching;
 }
 
-/// Loops go round their circles, the rest follows harmonically.
+/// Loops go round their circles, the rest follows harmonically: the log of new places over old ones, which is
+/// 0 if both surfaces are the same, and whose errors are relative to |z| on long surfaces.
 std::vector<Complex> carried_over(const OneForms& forms, const CircularMap& map,
                                   const std::vector<RoundLoop>& a, const std::vector<const RoundLoop*>& b,
                                   const mesh::Surface& surface, const std::vector<Complex>& target,
@@ -229,9 +230,13 @@ std::vector<Complex> carried_over(const OneForms& forms, const CircularMap& map,
     for (const mesh::SideEnd e : forms.loops()[k].sides) {
       const int v = forms.mesh().surface.vertex(e);
       const MeshPoint at = b[k]->at(a[k].angle_of(map.position[v]) + turn);
-      for (std::size_t c = 0; c < 3; ++c) places[v] += at.weight[c] * target[surface.corners(at.triangle)[c]];
+      Complex place = 0;
+      for (std::size_t c = 0; c < 3; ++c) place += at.weight[c] * target[surface.corners(at.triangle)[c]];
+      places[v] = std::log(place / std::polar(1.0, turn) / map.position[v]) + Complex(0, turn);
     }
-  return forms.extended(places);
+  places = forms.extended(places);
+  for (std::size_t v = 0; v < places.size(); ++v) places[v] = map.position[v] * std::exp(places[v]);
+  return places;
 }
 
 /// Vertices slide along B's circles.
@@ -265,9 +270,9 @@ void locate(const OneForms& forms, const std::vector<const RoundLoop*>& loops, c
 }
 
 /// Where the image is flat, its axes are rounding errors.
-bool is_flat(const FlatTriangle& p) {
+bool is_flat(const numeric::FlatTriangle& p) {
   constexpr double flat = 1e-12;
-  return !(twice_area(p) > flat * longest_squared(p));
+  return !(numeric::twice_area(p) > flat * numeric::longest_squared(p));
 }
 
 /// Returns for each vertex a third of the area of the triangles around it.
@@ -279,11 +284,11 @@ Eigen::VectorXd measure_distortion(const mesh::TriangleMesh& a, Registration& re
   double measured = 0;
   for (int t = 0; t < a.surface.triangle_count(); ++t) {
     const auto& corners = a.surface.corners(t);
-    const FlatTriangle own = laid_flat(a.points, corners);
-    const double area = twice_area(own) / 2;
+    const numeric::FlatTriangle own = numeric::laid_flat(a.points, corners);
+    const double area = numeric::twice_area(own) / 2;
     for (const int v : corners) share[v] += area / 3;
-    const FlatTriangle image = laid_flat(result.resampled, corners);
-    const double ratio = is_flipped[t] || is_flat(image) ? 0 : ratio_of_axes(own, image);
+    const numeric::FlatTriangle image = numeric::laid_flat(result.resampled, corners);
+    const double ratio = is_flipped[t] || is_flat(image) ? 0 : numeric::ratio_of_axes(own, image);
     result.quasi_conformal.push_back(ratio);
     if (!is_flipped[t] && ratio == 0) ++result.flattened;
     if (ratio == 0) continue;

@@ -19,9 +19,9 @@ using mesh::Side;
 
 void check(const mesh::TriangleMesh& mesh, const Curvatures& curvatures, const std::vector<Side>& out) {
   const auto vertices = static_cast<std::size_t>(mesh.surface.vertex_count());
-  if (curvatures.at.size() != vertices) throw InputError("each vertex needs a curvature");
+  if (curvatures.at.size() != vertices) throw PreconditionError("each vertex needs a curvature");
   if (!curvatures.held.empty() && curvatures.held.size() != vertices)
-    throw InputError("each vertex is held or not");
+    throw PreconditionError("each vertex is held or not");
   std::vector<double> at = curvatures.at;
   for (const int first : curvatures.round_holes) {
     if (first < 0 || first >= mesh.surface.vertex_count() || !out[first].exists())

@@ -39,23 +39,23 @@ Vector solved(const Matrix& matrix, const Vector& right) {
   return solver.error() < good ? x : matrix.partialPivLu().solve(right);
 }
 
-} // namespace
+/// F on the curve, and what is left of it at infinity.
+struct LogOfSlope {
+  std::vector<Complex> values;
+  Complex residue = 0;
+};
 
-Rounding::Rounding(std::vector<Complex> curve, Of of) : of_(of), curve_(std::move(curve)) {
-  const std::size_t n = curve_.size();
-  const auto size = static_cast<Eigen::Index>(n);
-  const double count = static_cast<double>(n);
-  const Complex c = std::accumulate(curve_.begin(), curve_.end(), Complex(0)) / count;
-  const std::vector<Complex> tangent = derivative(curve_);
-  const Eigen::MatrixXcd kernel = cauchy(curve_, tangent);
+/// On the curve F(z) = sum C(z, s) (m(s) - m(z)) + [inside] m(z), with the derivative of m for s = z, which
+/// is imaginary. The real part is known but for the constant outside, where m = 1 is lost: its mean takes
+/// that place.
+LogOfSlope log_of_slope(const std::vector<Complex>& curve, const std::vector<Complex>& tangent, Complex c,
+                        bool is_inside) {
+  const auto size = static_cast<Eigen::Index>(curve.size());
+  const double count = static_cast<double>(curve.size());
+  const Eigen::MatrixXcd kernel = cauchy(curve, tangent);
   Vector right(size);
   for (Eigen::Index i = 0; i < size; ++i)
-    right[i] = -std::log(std::abs(curve_[static_cast<std::size_t>(i)] - c));
-
-  // On the curve F(z) = sum C(z, s) (m(s) - m(z)) + [inside] m(z), with the derivative of m for s = z, which
-  // is imaginary. The real part is known but for the constant outside, where m = 1 is lost: its mean takes
-  // that place.
-  const bool is_inside = of == Of::inside;
+    right[i] = -std::log(std::abs(curve[static_cast<std::size_t>(i)] - c));
   Matrix matrix = kernel.real();
   for (Eigen::Index i = 0; i < size; ++i) matrix(i, i) = (is_inside ? 1.0 : 0.0) - matrix.row(i).sum();
   if (!is_inside) matrix.array() += 1.0 / count;
@@ -64,33 +64,59 @@ Rounding::Rounding(std::vector<Complex> curve, Of of) : of_(of), curve_(std::mov
   const std::vector<Complex> slope =
       derivative(std::vector<Complex>(density.data(), density.data() + density.size()));
   const Eigen::VectorXcd integral = kernel * density - kernel.rowwise().sum().cwiseProduct(density);
-  Complex residue = 0;
-  for (std::size_t j = 0; j < n; ++j)
-    residue -= density[static_cast<Eigen::Index>(j)] * tangent[j] / Complex(0, count);
-  weight_ = tangent;
-  for (std::size_t j = 0; j < n; ++j) {
+  LogOfSlope result;
+  for (std::size_t j = 0; j < curve.size(); ++j) {
     const auto i = static_cast<Eigen::Index>(j);
-    const Complex f = integral[i] + slope[j].real() / Complex(0, count) + (is_inside ? density[i] : 0.0);
-    image_.push_back((curve_[j] - c) * std::exp(f));
-    if (is_inside) continue;
-    // g = z - c + residue + O(1/z).
-    image_.back() += c - residue;
+    result.residue -= density[i] * tangent[j] / Complex(0, count);
+    result.values.push_back(integral[i] + slope[j].real() / Complex(0, count) +
+                            (is_inside ? density[i] : 0.0));
+  }
+  return result;
+}
+
+} // namespace
+
+OuterRounding::OuterRounding(std::vector<Complex> curve)
+    : curve_(std::move(curve)), weight_(derivative(curve_)) {
+  const Complex c =
+      std::accumulate(curve_.begin(), curve_.end(), Complex(0)) / static_cast<double>(curve_.size());
+  const LogOfSlope f = log_of_slope(curve_, weight_, c, false);
+  for (std::size_t j = 0; j < curve_.size(); ++j) {
+    // (z - c) exp F = z - c + residue + O(1/z).
+    image_.push_back((curve_[j] - c) * std::exp(f.values[j]) + c - f.residue);
     weight_[j] /= curve_[j] - c;
   }
 }
 
-/// Barycentric: the same formula for 1 below, so that points near the curve lose nothing. What is analytic
-/// outside is taken relative to 1 / (z - c), which vanishes at infinity as Cauchy's formula asks there.
-Complex Rounding::operator()(Complex z) const {
-  const bool is_inside = of_ == Of::inside;
+/// Barycentric: Cauchy's formula over the same formula for 1, so that points near the curve lose nothing.
+/// What is analytic outside is taken relative to 1 / (z - c), which vanishes at infinity as the formula asks
+/// there. Differences are scaled lest they overflow or underflow far outside.
+Complex OuterRounding::added(Complex z) const {
+  const double scale = std::max(1.0, std::abs(z));
   Complex numerator = 0;
   Complex denominator = 0;
   for (std::size_t j = 0; j < curve_.size(); ++j) {
-    const Complex share = weight_[j] / (curve_[j] - z);
-    numerator += share * (is_inside ? image_[j] : image_[j] - curve_[j]);
+    const Complex share = weight_[j] / ((curve_[j] - z) / scale);
+    numerator += share * (image_[j] - curve_[j]);
     denominator += share;
   }
-  return numerator / denominator + (is_inside ? 0.0 : z);
+  return numerator / denominator;
+}
+
+InnerRounding::InnerRounding(std::vector<Complex> curve)
+    : curve_(std::move(curve)), tangent_(derivative(curve_)) {
+  log_ = log_of_slope(curve_, tangent_, 0, true).values;
+}
+
+Complex InnerRounding::operator()(Complex z) const {
+  Complex numerator = 0;
+  Complex denominator = 0;
+  for (std::size_t j = 0; j < curve_.size(); ++j) {
+    const Complex share = tangent_[j] / (curve_[j] - z);
+    numerator += share * log_[j];
+    denominator += share;
+  }
+  return numerator / denominator;
 }
 
 } // namespace tetrarch::slit

@@ -2,15 +2,16 @@
 #include "tetrarch/slit/unflip.hpp"
 
 #include "banks.hpp"
-#include "flat_triangle.hpp"
 #include "full_turn.hpp"
 #include "tetrarch/slit/quality.hpp"
 
+#include "tetrarch/numeric/flat_triangle.hpp"
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <functional>
 #include <map>
+#include <utility>
 
 namespace tetrarch::slit {
 namespace {
@@ -22,10 +23,6 @@ using Complex = std::complex<double>;
 constexpr int most_sweeps = 100;
 /// A triangle this much narrower than in space counts as flipped.
 constexpr double flat = 1e-3;
-
-double cross(Complex a, Complex b) {
-  return (std::conj(a) * b).imag();
-}
 
 /// What a vertex must stay to the left of: its distance from a side, `now`, grows by Re(conj(normal) step).
 struct Wall {
@@ -66,7 +63,7 @@ Complex best_anywhere(const std::vector<Wall>& walls) {
         const Complex b = walls[k].normal - walls[i].normal;
         const double right_a = walls[i].now - walls[j].now;
         const double right_b = walls[i].now - walls[k].now;
-        const Complex step = Complex(0, 1) * (right_b * a - right_a * b) / cross(a, b);
+        const Complex step = Complex(0, 1) * (right_b * a - right_a * b) / numeric::cross(a, b);
         if (!std::isfinite(std::abs(step))) continue;
         if (const double there = least(walls, step); there > value) {
           value = there;
@@ -77,8 +74,8 @@ Complex best_anywhere(const std::vector<Wall>& walls) {
 }
 
 /// The altitude on the longest side, in units of that side.
-double width(const FlatTriangle& p) {
-  return twice_area(p) / longest_squared(p);
+double width(const numeric::FlatTriangle& p) {
+  return numeric::twice_area(p) / numeric::longest_squared(p);
 }
 
 /// A drawing by the differences along its sides, so that it may lie on a cylinder.
@@ -95,52 +92,98 @@ public:
       : surface_(mesh.surface), along_(std::move(along)), skipped_(std::move(skipped)),
         some_end_(static_cast<std::size_t>(surface_.vertex_count())) {
     for (int t = 0; t < surface_.triangle_count(); ++t)
-      width_.push_back(width(laid_flat(mesh.points, surface_.corners(t))));
+      width_.push_back(width(numeric::laid_flat(mesh.points, surface_.corners(t))));
     for (int k = 0; k < surface_.side_count(); ++k) some_end_[surface_.from(Side(k))] = {Side(k), true};
   }
 
-  /// `moved` is told of each step of a vertex; `total` has what was moved before.
+  /// Only triangles that touch one of these vertices count as wrong.
+  void restrict_to(std::vector<char> vertices) { near_ = std::move(vertices); }
+
+  /// `moved` is told of each step of a vertex; the first moves are those given. Ends with the best drawing
+  /// that was met: the fewest flipped triangles, then the fewest narrow ones.
   Unflipped set_right(const Freedom& freedom, const std::function<void(int, Complex)>& moved,
-                      std::map<int, Complex> total = {}) {
+                      const std::map<int, Complex>& first_moves = {}) {
+    Count best = count();
+    const auto take = [&](int v, Complex step) {
+      move(v, step);
+      moved(v, step);
+      since_best_.emplace_back(v, step);
+    };
+    for (const auto& [v, step] : first_moves) take(v, step);
     std::vector<int> wrong = flipped_among_all();
+    keep_if_better(best);
+    constexpr int sweeps_between_counts = 5;
     for (int sweep = 0; sweep < most_sweeps && !wrong.empty(); ++sweep) {
-      for (const int v : around(wrong, sweep / 20)) {
-        const Complex step = improve(v, freedom);
-        if (step == 0.0) continue;
-        total[v] += step;
-        moved(v, step);
-      }
+      for (const int v : around(wrong, sweep / 20))
+        if (const Complex step = improved(v, freedom); step != 0.0) take(v, step);
       // Triangles only turn over beside vertices that moved, and those only raise the least distance.
-      wrong.erase(std::remove_if(wrong.begin(), wrong.end(), [&](int t) { return !is_flipped(t); }),
+      wrong.erase(std::remove_if(wrong.begin(), wrong.end(), [&](int t) { return !is_flipped(t, flat); }),
                   wrong.end());
       if (wrong.empty()) wrong = flipped_among_all();
+      if (wrong.empty() || sweep % sweeps_between_counts == 0 || sweep + 1 == most_sweeps)
+        keep_if_better(best);
+    }
+    for (auto step = since_best_.rbegin(); step != since_best_.rend(); ++step) {
+      move(step->first, -step->second);
+      moved(step->first, -step->second);
     }
     Unflipped result;
-    result.left = static_cast<int>(wrong.size());
-    for (const auto& [v, step] : total) {
-      ++result.moved;
-      result.farthest = std::max(result.farthest, std::abs(step));
-    }
+    result.left = best.flipped + best.narrow;
+    for (const auto& [v, step] : total_)
+      if (step != 0.0) {
+        ++result.moved;
+        result.farthest = std::max(result.farthest, std::abs(step));
+      }
     return result;
   }
 
   const std::vector<Complex>& along() const { return along_; }
 
 private:
-  /// Or nearly flat, against its shape in space.
-  bool is_flipped(int t) const {
+  struct Count {
+    int flipped = 0;
+    int narrow = 0;
+  };
+
+  /// Whether a triangle is narrower than its shape in space by this factor, or turned over. In units of its
+  /// longest side, as squares of small ones underflow.
+  bool is_flipped(int t, double factor) const {
     if (skipped_[t]) return false;
+    if (!near_.empty()) {
+      const auto& v = surface_.corners(t);
+      if (near_[v[0]] == 0 && near_[v[1]] == 0 && near_[v[2]] == 0) return false;
+    }
     double longest = 0;
-    for (const Side s : mesh::sides_of(t)) longest = std::max(longest, std::norm(along_[s.value]));
-    const double twice_area = cross(along_[Side(t, 2).value], -along_[Side(t, 1).value]);
-    return !(twice_area > flat * width_[t] * longest);
+    for (const Side s : mesh::sides_of(t)) longest = std::max(longest, std::abs(along_[s.value]));
+    const double width =
+        numeric::cross(along_[Side(t, 2).value] / longest, -along_[Side(t, 1).value] / longest);
+    return !(width > factor * width_[t]);
   }
 
   std::vector<int> flipped_among_all() const {
     std::vector<int> result;
     for (int t = 0; t < surface_.triangle_count(); ++t)
-      if (is_flipped(t)) result.push_back(t);
+      if (is_flipped(t, flat)) result.push_back(t);
     return result;
+  }
+
+  Count count() const {
+    constexpr double rounding = 1e-12;
+    Count result;
+    for (int t = 0; t < surface_.triangle_count(); ++t)
+      if (is_flipped(t, rounding))
+        ++result.flipped;
+      else if (is_flipped(t, flat))
+        ++result.narrow;
+    return result;
+  }
+
+  void keep_if_better(Count& best) {
+    const Count now = count();
+    if (std::pair(now.flipped, now.narrow) >= std::pair(best.flipped, best.narrow)) return;
+    best = now;
+    for (const auto& [v, step] : since_best_) total_[v] += step;
+    since_best_.clear();
   }
 
   /// The vertices of triangles and so many rings around, each once, in the order in which they are met.
@@ -169,12 +212,14 @@ private:
       const Complex edge = along_[opposite.value];
       if (edge == 0.0) continue;
       const Complex direction = edge / std::abs(edge);
-      result.push_back({cross(direction, -along_[opposite.previous().value]), Complex(0, 1) * direction});
+      result.push_back(
+          {numeric::cross(direction, -along_[opposite.previous().value]), Complex(0, 1) * direction});
     }
     return result;
   }
 
-  Complex improve(int v, const Freedom& freedom) {
+  /// The step that takes v farther from its walls; 0 if there is none.
+  Complex improved(int v, const Freedom& freedom) const {
     const std::vector<Wall> limits = walls(v);
     const Complex direction = freedom.slides(v);
     Complex step = direction == 0.0 ? best_anywhere(limits) : best_along(limits, direction);
@@ -184,7 +229,6 @@ private:
     for (int k = 0; k < most_halvings && step != 0.0; ++k, step /= 2) {
       const Complex kept = freedom.kept(v, step);
       if (!(least(limits, kept) > before)) continue;
-      move(v, kept);
       return kept;
     }
     return 0;
@@ -203,6 +247,9 @@ private:
   std::vector<char> skipped_;
   std::vector<double> width_; ///< of each triangle in space
   std::vector<mesh::SideEnd> some_end_;
+  std::vector<char> near_;
+  std::vector<std::pair<int, Complex>> since_best_; ///< steps
+  std::map<int, Complex> total_;                    ///< of each vertex that moved, up to the best drawing
 };
 
 std::vector<Complex> differences(const Surface& surface, const std::vector<Complex>& position) {
@@ -215,8 +262,10 @@ std::vector<Complex> differences(const Surface& surface, const std::vector<Compl
 /// Each vertex of a loop stays on the circle of its loop.
 Unflipped unflip_between_circles(const mesh::TriangleMesh& mesh, const std::vector<int>& loop,
                                  std::vector<Complex>& position, const std::vector<Circle>& circle_of_loop,
-                                 std::vector<char> skipped, std::map<int, Complex> before = {}) {
+                                 std::vector<char> skipped, std::vector<char> near = {},
+                                 const std::map<int, Complex>& first_moves = {}) {
   Drawing drawing(mesh, differences(mesh.surface, position), std::move(skipped));
+  drawing.restrict_to(std::move(near));
   const auto from_center = [&](int v) { return position[v] - circle_of_loop[loop[v]].center; };
   Drawing::Freedom freedom;
   freedom.slides = [&](int v) {
@@ -225,39 +274,31 @@ Unflipped unflip_between_circles(const mesh::TriangleMesh& mesh, const std::vect
   freedom.kept = [&](int v, Complex step) {
     if (loop[v] < 0) return step;
     const Complex arm = from_center(v);
-    return arm * std::polar(1.0, cross(arm, step) / std::norm(arm)) - arm;
+    return arm * (std::polar(1.0, (step / arm).imag()) - 1.0);
   };
   return drawing.set_right(
-      freedom, [&](int v, Complex step) { position[v] += step; }, std::move(before));
+      freedom, [&](int v, Complex step) { position[v] += step; }, first_moves);
 }
 
-/// Puts the loops on their slits in order; what was moved.
-std::map<int, Complex> order_slits(const OneForms& forms, SlitMap& map) {
-  const std::map<int, double> shifts = shifts_into_order(forms, map);
-  std::map<int, Complex> moved;
-  for (const auto& [v, shift] : shifts) {
-    map.angle[v] = wrapped(map.angle[v] + shift);
-    moved[v] = {0, shift};
-  }
-  const Surface& surface = forms.mesh().surface;
-  const auto shift_at = [&](int v) {
-    const auto found = shifts.find(v);
-    return found == shifts.end() ? 0.0 : found->second;
-  };
-  if (!shifts.empty())
-    for (int k = 0; k < surface.side_count(); ++k)
-      map.form.imaginary[k] += shift_at(surface.to(Side(k))) - shift_at(surface.from(Side(k)));
-  return moved;
+/// The vertices of all slits, if only those are to be set right.
+std::vector<char> on_slits(const std::vector<int>& loop, int outer, int inner, Unflip which) {
+  if (which == Unflip::everywhere) return {};
+  std::vector<char> result;
+  result.reserve(loop.size());
+  for (const int k : loop) result.push_back(static_cast<char>(k >= 0 && k != outer && k != inner));
+  return result;
 }
 
 } // namespace
 
-Unflipped unflip_on_cylinder(const OneForms& forms, SlitMap& map) {
+Unflipped unflip_on_cylinder(const OneForms& forms, SlitMap& map, Unflip which) {
   const std::vector<int> loop = mesh::loops_of_vertices(forms.loops(), forms.mesh().surface);
-  std::map<int, Complex> ordered = order_slits(forms, map);
+  std::map<int, Complex> ordered;
+  for (const auto& [v, shift] : shifts_into_order(forms, map)) ordered[v] = {0, shift};
   std::vector<Complex> along(map.form.real.size());
   for (std::size_t s = 0; s < along.size(); ++s) along[s] = {map.form.real[s], map.form.imaginary[s]};
   Drawing drawing(forms.mesh(), std::move(along), ears(forms));
+  drawing.restrict_to(on_slits(loop, map.outer, map.inner, which));
   Drawing::Freedom freedom;
   freedom.slides = [&](int v) { return loop[v] < 0 ? Complex(0) : Complex(0, 1); };
   freedom.kept = [](int, Complex step) { return step; };
@@ -267,7 +308,7 @@ Unflipped unflip_on_cylinder(const OneForms& forms, SlitMap& map) {
         map.log_radius[v] += step.real();
         map.angle[v] = wrapped(map.angle[v] + step.imag());
       },
-      std::move(ordered));
+      ordered);
   for (std::size_t s = 0; s < drawing.along().size(); ++s) {
     map.form.real[s] = drawing.along()[s].real();
     map.form.imaginary[s] = drawing.along()[s].imag();
@@ -275,32 +316,43 @@ Unflipped unflip_on_cylinder(const OneForms& forms, SlitMap& map) {
   return result;
 }
 
-Unflipped unflip_on_ring(const OneForms& forms, SlitMap& map) {
-  std::map<int, Complex> ordered = order_slits(forms, map);
+Unflipped unflip_on_ring(const OneForms& forms, SlitMap& map, Unflip which) {
+  const Surface& surface = forms.mesh().surface;
   std::vector<Complex> position;
   position.reserve(forms.mesh().points.size());
-  for (int v = 0; v < forms.mesh().surface.vertex_count(); ++v) position.push_back(map.concentric(v));
-  for (auto& [v, step] : ordered) step = position[v] * (1.0 - std::polar(1.0, -step.imag()));
+  for (int v = 0; v < surface.vertex_count(); ++v) position.push_back(map.concentric(v));
+  std::map<int, Complex> ordered;
+  for (const auto& [v, shift] : shifts_into_order(forms, map))
+    ordered[v] = position[v] * (std::polar(1.0, shift) - 1.0);
   const std::vector<Circle> about_origin(forms.loops().size(), Circle{0, 1, 0});
   const std::vector<Complex> before = position;
-  const Unflipped result =
-      unflip_between_circles(forms.mesh(), mesh::loops_of_vertices(forms.loops(), forms.mesh().surface),
-                             position, about_origin, ears(forms), std::move(ordered));
+  const std::vector<int> loop = mesh::loops_of_vertices(forms.loops(), surface);
+  const Unflipped result = unflip_between_circles(forms.mesh(), loop, position, about_origin, ears(forms),
+                                                  on_slits(loop, map.outer, map.inner, which), ordered);
+  std::vector<Complex> shift(position.size(), 0.0);
   for (std::size_t v = 0; v < position.size(); ++v) {
     if (position[v] == before[v]) continue;
-    map.log_radius[v] = std::log(std::abs(position[v]));
+    shift[v] = std::log(position[v] / before[v]);
+    map.log_radius[v] += loop[v] < 0 ? shift[v].real() : 0;
     map.angle[v] = wrapped(std::arg(position[v]));
+  }
+  for (int s = 0; s < surface.side_count(); ++s) {
+    const int from = surface.from(Side(s));
+    const int to = surface.to(Side(s));
+    map.form.real[s] = map.log_radius[to] - map.log_radius[from];
+    map.form.imaginary[s] += shift[to].imag() - shift[from].imag();
   }
   return result;
 }
 
-Unflipped unflip_in_disk(const mesh::TriangleMesh& mesh, CircularMap& map) {
+Unflipped unflip_in_disk(const mesh::TriangleMesh& mesh, CircularMap& map, Unflip which) {
   const auto loops = mesh::boundary_loops(mesh);
   std::vector<Circle> circle(loops.size());
   for (std::size_t k = 0; k < map.loop.size(); ++k) circle[map.loop[k]] = map.domain.circles[k];
-  const std::vector<char> none(static_cast<std::size_t>(mesh.surface.triangle_count()), 0);
-  return unflip_between_circles(mesh, mesh::loops_of_vertices(loops, mesh.surface), map.position, circle,
-                                none);
+  const std::vector<int> loop = mesh::loops_of_vertices(loops, mesh.surface);
+  const int inner = map.loop.size() > 1 ? map.loop[1] : map.loop[0];
+  return unflip_between_circles(mesh, loop, map.position, circle, ears_in_disk(mesh, map),
+                                on_slits(loop, map.loop[0], inner, which));
 }
 
 } // namespace tetrarch::slit

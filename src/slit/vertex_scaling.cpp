@@ -58,8 +58,8 @@ public:
     columns_[std::min(i, j)].emplace_back(std::max(i, j), value);
   }
 
-  mesh::SymmetricMatrix matrix() {
-    mesh::SymmetricMatrix out;
+  numeric::SymmetricMatrix matrix() {
+    numeric::SymmetricMatrix out;
     for (auto& column : columns_) {
       out.first.push_back(static_cast<int>(out.row.size()));
       std::stable_sort(column.begin(), column.end(),
@@ -213,7 +213,7 @@ std::vector<double> VertexScaling::defects(const std::vector<double>& curvature)
   return defect;
 }
 
-mesh::SymmetricMatrix VertexScaling::hessian(double shift) const {
+numeric::SymmetricMatrix VertexScaling::hessian(double shift) const {
   Assembly sum(held_);
   for (int k = 0; k < metric_.surface.side_count(); ++k) {
     const double t = half_tangent(metric_.length, Side(k));
@@ -249,7 +249,7 @@ mesh::SymmetricMatrix VertexScaling::hessian(double shift) const {
 void VertexScaling::factor() {
   // Only where triangles have broken down may the matrix be singular; then steps are held back a little.
   for (double shift = 0; shift<1; shift = shift> 0 ? 100 * shift : 1e-8) {
-    const mesh::SymmetricMatrix matrix = hessian(shift);
+    const numeric::SymmetricMatrix matrix = hessian(shift);
     if (!cholesky_ || analysed_at_ != metric_.flips) cholesky_.emplace(matrix);
     analysed_at_ = metric_.flips;
     if (cholesky_->factor(matrix)) return;

@@ -9,7 +9,7 @@
 ///        \ /       the vertices, the angles at the centre add up to 2 pi. s is one more unknown, and the
 ///         c        function is convex still. Source: Bobenko, Pinkall and Springborn (2015).
 
-#include "tetrarch/mesh/sparse_cholesky.hpp"
+#include "tetrarch/numeric/sparse_cholesky.hpp"
 #include "tetrarch/slit/ricci.hpp"
 
 #include <optional>
@@ -57,16 +57,16 @@ private:
   void flip(mesh::Side s);
   bool is_metric() const; ///< whether no triangle has broken down
   std::vector<double> defects(const std::vector<double>& curvature) const;
-  mesh::SymmetricMatrix hessian(double shift) const;
+  numeric::SymmetricMatrix hessian(double shift) const;
   void factor();
   std::vector<double> solved(std::vector<double> right) const;
 
   mesh::IntrinsicTriangulation metric_;
-  std::vector<double> unscaled_;                 ///< lengths of the sides for u = 0
-  std::vector<char> held_;                       ///< of each unknown
-  std::vector<std::vector<int>> round_;          ///< the vertices of the round holes, in order
-  std::vector<double> u_;                        ///< of the vertices, then s of the round holes
-  std::optional<mesh::SparseCholesky> cholesky_; ///< for the pattern after so many flips:
+  std::vector<double> unscaled_;                    ///< lengths of the sides for u = 0
+  std::vector<char> held_;                          ///< of each unknown
+  std::vector<std::vector<int>> round_;             ///< the vertices of the round holes, in order
+  std::vector<double> u_;                           ///< of the vertices, then s of the round holes
+  std::optional<numeric::SparseCholesky> cholesky_; ///< for the pattern after so many flips:
   long long analysed_at_ = -1;
 };
 

@@ -5,9 +5,9 @@
 #include "src/canonical/polytope.hpp"
 #include "tetrarch/canonical/canonize.hpp"
 #include "tetrarch/canonical/flips.hpp"
-#include "tetrarch/census/gluings.hpp"
 #include "tetrarch/core/signature.hpp"
-#include "tetrarch/hyperbolic/real50.hpp"
+#include "tetrarch/enumeration/gluings.hpp"
+#include "tetrarch/numeric/real50.hpp"
 
 #include <algorithm>
 #include <catch2/catch.hpp>
@@ -16,7 +16,7 @@
 
 using namespace tetrarch;
 using namespace tetrarch::canonical;
-using hyperbolic::Real50;
+using numeric::Real50;
 using support::decorated;
 
 namespace {
@@ -184,14 +184,14 @@ TEST_CASE("all structures with geodesic boundary of four tetrahedra have the sam
           "[canonical][slow]") {
   // 5,033 of them, 84 with cells that are no tetrahedra, and the 8 + 151 of fewer tetrahedra once more
   // (Frigerio, Martelli and Petronio 2004).
-  census::GluingOptions options;
+  enumeration::GluingOptions options;
   options.tetrahedra = 4;
-  options.orientability = census::GluingOptions::Orientability::orientable;
-  options.links = census::parse_link_set("1,2,3,4");
+  options.orientability = enumeration::GluingOptions::Orientability::orientable;
+  options.links = enumeration::parse_link_set("1,2,3,4");
   options.min_valence = 3;
   std::set<std::string> manifolds;
   std::set<std::string> with_flat_faces;
-  census::enumerate_gluings(options, [&](const Triangulation& tri) {
+  enumeration::enumerate_gluings(options, [&](const Triangulation& tri) {
     const Skeleton skeleton(tri);
     bool geodesic_boundary = false;
     for (const VertexId v : all<VertexId>(skeleton.vertex_count()))

@@ -4,14 +4,14 @@
 
 #include "hyperbolic/samples.hpp"
 #include "src/embed/isometry_table.hpp"
-#include "tetrarch/census/manifold.hpp"
+#include "tetrarch/catalogue/manifold.hpp"
 #include "tetrarch/core/error.hpp"
 #include "tetrarch/core/signature.hpp"
 #include "tetrarch/embed/boundary.hpp"
 #include "tetrarch/embed/cover.hpp"
 #include "tetrarch/embed/mobius.hpp"
 #include "tetrarch/embed/model.hpp"
-#include "tetrarch/hyperbolic/real50.hpp"
+#include "tetrarch/numeric/real50.hpp"
 
 #include <algorithm>
 #include <catch2/catch.hpp>
@@ -19,7 +19,7 @@
 
 using namespace tetrarch;
 using namespace tetrarch::embed;
-using hyperbolic::Real50;
+using numeric::Real50;
 
 namespace {
 
@@ -44,7 +44,7 @@ const std::string both_kinds = "dLQacccjjkg";
 const std::string gieseking = "bkaaid";
 
 Embedded census_entry(const std::string& name) {
-  return Embedded(census::find_by_name(name)->signature);
+  return Embedded(catalogue::find_by_name(name)->signature);
 }
 
 double max_difference(const Vector4<double>& v, const Vector4<double>& w) {
@@ -459,7 +459,7 @@ TEST_CASE("the tiling of a boundary covers the disk: areas add up, and copies do
   };
   const auto inside = count(piece);
   CHECK(count(by_words) == inside);
-  const double pi = hyperbolic::pi<double>();
+  const double pi = numeric::pi<double>();
   const double expected = 2 * pi * (std::cosh(radius) - 1) / (4 * pi);
   CHECK(static_cast<double>(inside) == Approx(expected).epsilon(0.15));
 }

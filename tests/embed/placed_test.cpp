@@ -7,15 +7,15 @@
 #include "tetrarch/embed/mobius.hpp"
 #include "tetrarch/embed/model.hpp"
 #include "tetrarch/embed/placed.hpp"
-#include "tetrarch/hyperbolic/real50.hpp"
+#include "tetrarch/numeric/real50.hpp"
 
 #include <catch2/catch.hpp>
 #include <complex>
 
 using namespace tetrarch;
 using namespace tetrarch::embed;
-using hyperbolic::Real50;
 using hyperbolic::samples::between;
+using numeric::Real50;
 using support::Random;
 
 namespace {
@@ -83,7 +83,7 @@ TEST_CASE("a placed tetrahedron has the Gram matrix that its lengths say, whatev
 TEST_CASE("the first truncation is the unit hemisphere, the second has radius e^l") {
   // Two tetrahedra of the knotted Y: all angles pi/6 (dissertation, section 4.3.4).
   hyperbolic::SixNumbers<double> angles;
-  angles.fill(hyperbolic::pi<double>() / 6);
+  angles.fill(numeric::pi<double>() / 6);
   const auto lengths = *hyperbolic::lengths_from_angles(angles, hyperbolic::all_hyperideal);
   const auto v = place(lengths, hyperbolic::all_hyperideal);
   const auto first = circle_at_infinity(v[0]);
@@ -98,7 +98,7 @@ TEST_CASE("the first truncation is the unit hemisphere, the second has radius e^
   CHECK(floor.radius == Approx(0).margin(1e-12));
   CHECK(other.radius == Approx(0).margin(1e-12));
   CHECK(floor.center[0] * other.center[0] + floor.center[1] * other.center[1] ==
-        Approx(-std::cos(hyperbolic::pi<double>() / 6)));
+        Approx(-std::cos(numeric::pi<double>() / 6)));
 }
 
 TEST_CASE("corners lie on both objects, an edge length apart") {

@@ -2,7 +2,7 @@
 // Every format that is written, over everything that the tests make: what was written, read and written again
 // is the same text, byte by byte.
 #include "tetrarch/algebra/group.hpp"
-#include "tetrarch/census/manifold.hpp"
+#include "tetrarch/catalogue/manifold.hpp"
 #include "tetrarch/format/group_json.hpp"
 #include "tetrarch/format/json.hpp"
 #include "tetrarch/format/mesh_json.hpp"
@@ -112,8 +112,8 @@ TEST_CASE("the zoo and the census survive every format", "[roundtrip]") {
     INFO(entry.name);
     CHECK(survive(document_of(entry.triangulation(), entry.name), random) >= 2);
   }
-  for (const int n : census::stored_tables())
-    for (const census::Manifold& manifold : census::stored_table(n)) {
+  for (const int n : catalogue::stored_tables())
+    for (const catalogue::Manifold& manifold : catalogue::stored_table(n)) {
       INFO(manifold.name);
       CHECK(survive(document_of(from_signature(manifold.signature), manifold.name), random) == 4);
     }

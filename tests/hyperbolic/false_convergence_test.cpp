@@ -5,7 +5,7 @@
 
 #include "tetrarch/core/signature.hpp"
 #include "tetrarch/hyperbolic/hyperbolize.hpp"
-#include "tetrarch/hyperbolic/real50.hpp"
+#include "tetrarch/numeric/real50.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -37,7 +37,7 @@ bool has_cusp(const Skeleton& skeleton) {
 bool all_exist(const Skeleton& skeleton, const Metric<double>& metric) {
   const auto types = vertex_types(skeleton);
   for (int t = 0; t < skeleton.tetrahedron_count(); ++t) {
-    SixNumbers<Real50> lengths;
+    SixNumbers<numeric::Real50> lengths;
     for (int e = 0; e < 6; ++e) lengths[e] = metric[skeleton.edge({t, e})];
     if (!exists(lengths, types_at(skeleton, types, t))) return false;
   }

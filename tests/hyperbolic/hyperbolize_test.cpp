@@ -5,10 +5,10 @@
 #include "support/zoo.hpp"
 #include "tetrarch/core/error.hpp"
 #include "tetrarch/core/signature.hpp"
-#include "tetrarch/hyperbolic/real50.hpp"
 #include "tetrarch/hyperbolic/volume.hpp"
 #include "tetrarch/moves/simplify.hpp"
 #include "tetrarch/moves/subdivide.hpp"
+#include "tetrarch/numeric/real50.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -56,7 +56,7 @@ TEST_CASE("the knotted Y: all angles pi/6 by Newton and by the flow", "[hyperbol
 
 TEST_CASE("cusped manifolds: figure eight, its sister, Whitehead link, Gieseking", "[hyperbolize]") {
   // Volumes as SnapPea's census prints them: m004 and m003 2.02988321, m129 3.66386238, m000 1.01494161.
-  const double regular = clausen(pi<double>() / 3);
+  const double regular = clausen(numeric::pi<double>() / 3);
   const std::vector<std::pair<std::string, double>> known{{"figure-eight complement m004", 2 * regular},
                                                           {"figure-eight sister m003", 2 * regular},
                                                           {"Gieseking manifold m000", regular},
@@ -124,22 +124,23 @@ TEST_CASE("the history is written as CSV whatever the locale", "[flow]") {
 TEST_CASE("refinement in 60 digits reaches the exact angles", "[hyperbolize][real50]") {
   const Triangulation y = support::knotted_y();
   const Skeleton skeleton(y);
-  const auto fine = refine<Real50>(skeleton, hyperbolize(y, skeleton));
+  const auto fine = refine<numeric::Real50>(skeleton, hyperbolize(y, skeleton));
   REQUIRE(fine.outcome == Outcome::geometric);
   CHECK(fine.residual < 1e-45);
   for (const auto& theta : fine.dihedral_angles)
-    for (const Real50& x : theta) CHECK(abs(x - pi<Real50>() / 6) < 1e-50);
+    for (const numeric::Real50& x : theta) CHECK(abs(x - numeric::pi<numeric::Real50>() / 6) < 1e-50);
   CHECK(fine.iterations <= 4);
 
   const Triangulation eight = support::zoo("figure-eight complement m004").triangulation();
-  const auto cusped = refine<Real50>(Skeleton(eight), solve(eight));
+  const auto cusped = refine<numeric::Real50>(Skeleton(eight), solve(eight));
   REQUIRE(cusped.outcome == Outcome::geometric);
   CHECK(cusped.residual < 1e-45);
   // Twice Gieseking's constant (OEIS A143298).
-  CHECK(abs(cusped.volume - 2 * clausen(Real50(pi<Real50>() / 3))) < 1e-50);
+  CHECK(abs(cusped.volume - 2 * clausen(numeric::Real50(numeric::pi<numeric::Real50>() / 3))) < 1e-50);
 
   const auto failed = solve(from_signature("dLQacccjcog"));
-  CHECK_THROWS_AS(refine<Real50>(Skeleton(from_signature("dLQacccjcog")), failed), PreconditionError);
+  CHECK_THROWS_AS(refine<numeric::Real50>(Skeleton(from_signature("dLQacccjcog")), failed),
+                  PreconditionError);
 }
 
 TEST_CASE("cyclic covers: a hundred times the lengths' equations, by the sparse solver", "[hyperbolize]") {
@@ -292,7 +293,7 @@ TEST_CASE("the volume of structures with nearly flat tetrahedra", "[hyperbolize]
     REQUIRE(found.outcome == Outcome::geometric);
     CHECK(std::abs(found.volume - flat.volume) < 5e-13 + found.volume_error);
     CHECK(found.volume_error < 1e-12);
-    const auto precise = refine<Real50>(skeleton, found);
+    const auto precise = refine<numeric::Real50>(skeleton, found);
     CHECK(abs(precise.volume - found.volume) < found.volume_error);
     CHECK(precise.volume_error < 1e-50);
   }
@@ -333,7 +334,7 @@ TEST_CASE("volumes of random retriangulations by one move, nearly flat tetrahedr
         for (const double angle : angles) flat += angle > 3.1 ? 1 : 0;
       REQUIRE(std::abs(after.volume - before.volume) <= after.volume_error + before.volume_error);
       REQUIRE(after.volume_error < 1e-13 * moved.size()); // so much a tetrahedron at most, or 60 digits
-      REQUIRE(abs(refine<Real50>(around, after).volume - after.volume) <= after.volume_error);
+      REQUIRE(abs(refine<numeric::Real50>(around, after).volume - after.volume) <= after.volume_error);
     }
   }
   CHECK(flat > 0);

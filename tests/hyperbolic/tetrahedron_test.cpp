@@ -4,7 +4,7 @@
 #include "samples.hpp"
 #include "tetrarch/core/error.hpp"
 #include "tetrarch/hyperbolic/cosine_laws.hpp"
-#include "tetrarch/hyperbolic/scalar.hpp"
+#include "tetrarch/numeric/scalar.hpp"
 
 #include <Eigen/Dense>
 #include <catch2/catch.hpp>
@@ -113,7 +113,7 @@ TEST_CASE("regular tetrahedra: the angle is that of the closed formula", "[tetra
   }
   const auto regular_ideal = dihedral_angles(SixNumbers<double>{1, 1, 1, 1, 1, 1}, all_ideal);
   REQUIRE(regular_ideal);
-  for (const double theta : *regular_ideal) CHECK(theta == Approx(pi<double>() / 3));
+  for (const double theta : *regular_ideal) CHECK(theta == Approx(numeric::pi<double>() / 3));
 }
 
 TEST_CASE("the cosine is A_kl / sqrt(A_kk A_ll), whatever the angle's own formula", "[tetrahedron]") {
@@ -121,7 +121,7 @@ TEST_CASE("the cosine is A_kl / sqrt(A_kk A_ll), whatever the angle's own formul
   for (const VertexTypes& types : samples::all_mixtures())
     for (int round = 0; round < 20; ++round) {
       const auto lengths = samples::existing_lengths(types, random);
-      const auto a = adjugate(gram_matrix(lengths, types));
+      const auto a = numeric::adjugate(gram_matrix(lengths, types));
       const auto angles = extended_dihedral_angles(lengths, types);
       for (int e = 0; e < 6; ++e) {
         const auto [k, l] = edge_vertex[opposite_edge(e)];
@@ -248,7 +248,7 @@ TEST_CASE("a tetrahedron that stops existing has angles 0 and pi, reached contin
   CHECK_FALSE(exists(flat, all_hyperideal));
   CHECK_FALSE(dihedral_angles(flat, all_hyperideal));
   const auto angles = extended_dihedral_angles(flat, all_hyperideal);
-  for (int e = 0; e < 6; ++e) CHECK(angles[e] == (e == 0 || e == 5 ? pi<double>() : 0));
+  for (int e = 0; e < 6; ++e) CHECK(angles[e] == (e == 0 || e == 5 ? numeric::pi<double>() : 0));
   for (const auto& row : angle_jacobian(flat, all_hyperideal))
     for (const double d : row) CHECK(d == 0);
   // On a segment from a tetrahedron that exists the angles change by little between near points: they are

@@ -8,11 +8,11 @@
 #include "support/links.hpp"
 #include "support/zoo.hpp"
 #include "tetrarch/algebra/homology.hpp"
-#include "tetrarch/census/recognise.hpp"
 #include "tetrarch/core/check.hpp"
 #include "tetrarch/core/error.hpp"
 #include "tetrarch/core/signature.hpp"
 #include "tetrarch/format/mesh_files.hpp"
+#include "tetrarch/identify/recognise.hpp"
 #include "tetrarch/mesh/tet_mesh.hpp"
 #include "tetrarch/moves/boundary_moves.hpp"
 
@@ -192,7 +192,7 @@ TEST_CASE("a thousand random handlebodies and link exteriors survive the convers
     REQUIRE(first_homology(made.tri) == (rank == 1 ? std::string("Z") : "Z^" + std::to_string(rank)));
     if (handlebody) {
       ++handlebodies;
-      CHECK(census::recognise(made.tri).name ==
+      CHECK(identify::recognise(made.tri).name ==
             (genus == 1 ? std::string("solid torus") : "genus " + std::to_string(genus) + " handlebody"));
     }
   }

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Records gluings_lists.txt and gluings_counts.txt beside itself: the closed gluings that Regina's tricensus
-lists, for tests/census/gluings_test.cpp. Needs Debian's regina-normal; takes about two minutes.
+lists, for tests/enumeration/gluings_test.cpp. Needs Debian's regina-normal; takes about two minutes.
 
 gluings_lists.txt: for 1, 2 and 3 tetrahedra and each set of options a line `TETRAHEDRA OPTIONS COUNT`, followed by
 the signatures in ASCII order, one a line. OPTIONS is `-`, or letters of tricensus: o orientable, n non-orientable,

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Records Regina's names of closed 3-manifolds and of handlebodies, for tests/census/recognise_test.cpp.
+"""Records Regina's names of closed 3-manifolds and of handlebodies, for tests/identify/recognise_test.cpp.
 
 Usage: /usr/bin/python3 tests/oracle/record_names.py > tests/oracle/regina_names.txt
 (Debian's regina-normal; its module imports only in the system's own Python.)

@@ -2,7 +2,7 @@
 #include "tetrarch/product/critical.hpp"
 
 #include "product/solids.hpp"
-#include "tetrarch/mesh/distance.hpp"
+#include "tetrarch/numeric/vector.hpp"
 #include "tetrarch/product/field.hpp"
 
 #include <algorithm>
@@ -41,7 +41,7 @@ TEST_CASE("A vertex raised above its neighbours is a maximum, with a saddle near
   int saddles = 0;
   for (const CriticalVertex& v : places.vertices) {
     CHECK_FALSE(v.on_wall);
-    CHECK(mesh::distance(c.solid.point(v.vertex), {2, 2, 2}) < 2);
+    CHECK(numeric::distance(c.solid.point(v.vertex), {2, 2, 2}) < 2);
     if (v.vertex == peak) {
       CHECK(v.lower == 1);
       CHECK(v.upper == 0);

@@ -3,7 +3,7 @@
 
 #include "product/solids.hpp"
 #include "tetrarch/core/random.hpp"
-#include "tetrarch/mesh/distance.hpp"
+#include "tetrarch/numeric/vector.hpp"
 #include "tetrarch/product/field.hpp"
 
 #include <catch2/catch.hpp>
@@ -59,7 +59,7 @@ FloorRoundTrip round_trip(const Case& c) {
     trip.stuck += down.end == FiberEnd::base && !down.by_gradient ? 0 : 1;
     const bool on_wall = c.solid.on_boundary[v] >= 0;
     (on_wall ? trip.wall_mean : trip.inside_mean) +=
-        mesh::distance(c.solid.point(v), point_at(c.solid, up.at));
+        numeric::distance(c.solid.point(v), point_at(c.solid, up.at));
     ++count[on_wall ? 1 : 0];
   }
   trip.inside_mean /= count[0];
@@ -95,7 +95,7 @@ TEST_CASE("In a plate fibres are vertical, at vertices, edges and faces, too", "
           REQUIRE(fiber.end == FiberEnd::base);
           const Point p = point_at(c.solid, fiber.at);
           const Point& start = c.solid.point(v);
-          REQUIRE(mesh::distance(p, {start[0], start[1], way == Way::up ? 0.5 : 0.0}) < 1e-12);
+          REQUIRE(numeric::distance(p, {start[0], start[1], way == Way::up ? 0.5 : 0.0}) < 1e-12);
           REQUIRE(fiber.length == Approx(std::abs(p[2] - start[2])).margin(1e-12));
         }
     }
@@ -129,10 +129,10 @@ TEST_CASE("A path goes from start to end and is as long as the fibre", "[fibers]
     const Fiber fiber = field.trace(from, Way::up, path);
     REQUIRE(path.size() == static_cast<std::size_t>(fiber.steps) + 2);
     CHECK(path[0] == Point{9, 9, 9});
-    CHECK(mesh::distance(path[1], point_at(c.solid, from)) < 1e-12);
-    CHECK(mesh::distance(path.back(), point_at(c.solid, fiber.at)) < 1e-12);
+    CHECK(numeric::distance(path[1], point_at(c.solid, from)) < 1e-12);
+    CHECK(numeric::distance(path.back(), point_at(c.solid, fiber.at)) < 1e-12);
     double length = 0;
-    for (std::size_t k = 2; k < path.size(); ++k) length += mesh::distance(path[k - 1], path[k]);
+    for (std::size_t k = 2; k < path.size(); ++k) length += numeric::distance(path[k - 1], path[k]);
     CHECK(fiber.length == Approx(length));
   }
 }
@@ -178,7 +178,7 @@ TEST_CASE("Fibres of different floor points do not meet", "[fibers]") {
         REQUIRE((fiber.end == FiberEnd::level || fiber.end == FiberEnd::base));
         // Back down: the same point of the floor.
         const Fiber back = field.trace(fiber.at, Way::down);
-        CHECK(mesh::distance(point_at(c.solid, from), point_at(c.solid, back.at)) < 0.002);
+        CHECK(numeric::distance(point_at(c.solid, from), point_at(c.solid, back.at)) < 0.002);
       }
     }
   }
@@ -241,7 +241,7 @@ TEST_CASE("A fibre that cannot go on says where", "[fibers]") {
   const support::Extrusion from = support::box({2, 2, 2}, {4, 4, 4}, 0);
   const Case c = make(from);
   std::vector<double> w;
-  for (const Point& p : c.solid.mesh.points) w.push_back(2 - mesh::distance(p, {1, 1, 1}));
+  for (const Point& p : c.solid.mesh.points) w.push_back(2 - numeric::distance(p, {1, 1, 1}));
   for (const Direction direction : both) {
     const FiberField field(c.solid, c.partition, w, direction);
     SplitMix64 random(8);
@@ -254,7 +254,7 @@ TEST_CASE("A fibre that cannot go on says where", "[fibers]") {
       if (fiber.end == FiberEnd::base) continue;
       ++stuck;
       CHECK(fiber.end == FiberEnd::stuck);
-      CHECK(mesh::distance(point_at(c.solid, fiber.at), {1, 1, 1}) < 1e-9);
+      CHECK(numeric::distance(point_at(c.solid, fiber.at), {1, 1, 1}) < 1e-9);
       CHECK(fiber.by_gradient == (direction == Direction::smoothed));
     }
     CHECK(stuck > 5);

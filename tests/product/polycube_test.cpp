@@ -3,7 +3,7 @@
 
 #include "support/errors.hpp"
 #include "support/solids.hpp"
-#include "tetrarch/mesh/distance.hpp"
+#include "tetrarch/numeric/vector.hpp"
 
 #include <algorithm>
 #include <catch2/catch.hpp>
@@ -84,7 +84,7 @@ double farthest(const PolycubeHexahedra& made, const Map& map) {
   for (std::size_t h = 0; h < made.cube.size(); ++h) {
     const std::array<Point, 8> cube = made.cubes.corners(made.cube[h]);
     const std::array<Point, 8> found = made.solid.mesh.corners(h);
-    for (std::size_t c = 0; c < 8; ++c) result = std::max(result, mesh::distance(map(cube[c]), found[c]));
+    for (std::size_t c = 0; c < 8; ++c) result = std::max(result, numeric::distance(map(cube[c]), found[c]));
   }
   return result;
 }
@@ -214,7 +214,7 @@ TEST_CASE("A ball in the shape of an L is filled, from one end to the other", "[
     // An edge of the mesh is 2 long.
     double mean = 0;
     for (std::size_t v = 0; v < made.cubes.points.size(); ++v)
-      mean += mesh::distance(similar(made.cubes.points[v]), made.solid.mesh.points[v]);
+      mean += numeric::distance(similar(made.cubes.points[v]), made.solid.mesh.points[v]);
     CHECK(mean / static_cast<double>(made.cubes.points.size()) < 0.1 * 2);
     CHECK(farthest(made, similar) < 2 * 2);
     CHECK(quality(made.solid.mesh).minimum > 0.25);
@@ -238,7 +238,7 @@ TEST_CASE("A floor that goes round a ridge is followed, where edges across it ar
   CHECK(made.solid.mesh.hexahedra.size() == 24);
   double mean = 0;
   for (std::size_t v = 0; v < made.cubes.points.size(); ++v)
-    mean += mesh::distance(similar(made.cubes.points[v]), made.solid.mesh.points[v]);
+    mean += numeric::distance(similar(made.cubes.points[v]), made.solid.mesh.points[v]);
   // As for the L: but for fibres that become one, an edge being 2 long.
   CHECK(mean / static_cast<double>(made.cubes.points.size()) < 0.1 * 2);
   CHECK(farthest(made, similar) < 2);

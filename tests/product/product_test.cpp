@@ -15,7 +15,7 @@ using namespace tetrarch::product;
 namespace {
 
 struct Made {
-  Prepared at;
+  SplitSolid at;
   FloorMap floor;
   std::vector<double> w;
   double height = 0;
@@ -27,7 +27,7 @@ struct Made {
 Made make(const support::Extrusion& from, FloorDomain domain, int threads = 1) {
   Solid whole = solid(from.mesh);
   Partition patches = partition(whole, support::bases(whole, from));
-  Made m{prepared(std::move(whole), std::move(patches)), {}, {}, 0, {}, {}, {}};
+  Made m{split_shortcuts(std::move(whole), std::move(patches)), {}, {}, 0, {}, {}, {}};
   m.floor = floor_map(m.at.solid, m.at.partition, {.domain = domain});
   m.height = natural_height(m.at.solid, m.at.partition, m.floor);
   m.w = harmonic_field(m.at.solid, m.at.partition, {.height = m.height}).w;
@@ -220,7 +220,7 @@ TEST_CASE("Edges between vertices of one base are split", "[product]") {
   const support::Extrusion from = support::box({1, 1, 1}, {3, 3, 2}, 0);
   Solid whole = solid(from.mesh);
   Partition patches = partition(whole, support::bases(whole, from));
-  CHECK(prepared(whole, patches).splits == 0);
+  CHECK(split_shortcuts(whole, patches).splits == 0);
 
   // The floor reaches up one wall to half its height: edges from there to the old floor are shortcuts.
   std::vector<int> base = support::bases(whole, from);
@@ -233,7 +233,7 @@ TEST_CASE("Edges between vertices of one base are split", "[product]") {
     if (on_wall) base[t] = 0;
   }
   patches = partition(whole, base);
-  const Prepared after = prepared(whole, patches);
+  const SplitSolid after = split_shortcuts(whole, patches);
   CHECK(after.splits > 0);
   const auto w = harmonic_field(after.solid, after.partition).w;
   CHECK(critical_places(after.solid, after.partition, w).flat.empty());

@@ -60,7 +60,7 @@ double least_rise(const Solid& solid, const std::vector<double>& w) {
 
 /// The solid divided between the levels, and its field.
 struct Tried {
-  Prepared prepared;
+  SplitSolid prepared;
   HarmonicField field;
   bool is_product() const { return critical_places(prepared.solid, prepared.partition, field.w).none(); }
 };
@@ -79,7 +79,7 @@ std::optional<Tried> tried(const Solid& whole, const TunnelLoops& loops, int bra
   } catch (const InputError&) {
     return {};
   }
-  Prepared p = prepared(at.solid, *std::move(patches));
+  SplitSolid p = split_shortcuts(at.solid, *std::move(patches));
   FieldOptions clamped;
   clamped.clamped = true;
   HarmonicField field = harmonic_field(p.solid, p.partition, clamped);

@@ -159,7 +159,7 @@ TEST_CASE("Curvatures that no surface has are refused, and a budget that is too 
   const Grid square = grid(4, 4, {{1, 3, 1, 3}}, in_plane);
   const auto metric = [&](const Curvatures& c) { return scaled_metric(square.mesh, c); };
   Curvatures curvatures;
-  CHECK_THROWS_AS(metric(curvatures), InputError);
+  CHECK_THROWS_AS(metric(curvatures), PreconditionError);
   curvatures.at.assign(square.at.size(), 0.0);
   curvatures.at[0] = 0.1; // the Euler number is 0
   CHECK_THROWS_AS(metric(curvatures), InputError);
@@ -173,7 +173,7 @@ TEST_CASE("Curvatures that no surface has are refused, and a budget that is too 
   CHECK_THROWS_AS(metric(curvatures), InputError);
   curvatures.round_holes.clear();
   curvatures.held = {1};
-  CHECK_THROWS_AS(metric(curvatures), InputError);
+  CHECK_THROWS_AS(metric(curvatures), PreconditionError);
 
   Curvatures cone;
   cone.at.assign(square.at.size(), 0.0);

@@ -43,7 +43,6 @@ inline std::string disagreement(const moves::Complex& complex) {
     if (!complex.is_alive(slot)) continue;
     const int t = compact.image[static_cast<std::size_t>(slot)];
     const std::string where = " at tetrahedron " + std::to_string(slot) + ", local number ";
-    if (complex.mark(slot) != 0) return "a mark was left" + where + "-";
     for (int v = 0; v < 4; ++v) {
       const VertexId mine = complex.vertex({slot, v});
       const VertexId theirs = skeleton.vertex({t, v});

@@ -19,7 +19,7 @@
 
 #include "support/random.hpp"
 #include "tetrarch/core/error.hpp"
-#include "tetrarch/core/union_find.hpp"
+#include "tetrarch/numeric/union_find.hpp"
 
 #include <algorithm>
 #include <array>
@@ -203,8 +203,8 @@ inline std::vector<Segment> random_graph(const Point& size, int genus, Random& r
   std::iota(parent.begin(), parent.end(), 0);
   std::vector<Segment> chosen;
   for (const Segment& step : steps) {
-    const int a = find_root(parent, static_cast<int>(lattice.index(step[0])));
-    const int b = find_root(parent, static_cast<int>(lattice.index(step[1])));
+    const int a = numeric::find_root(parent, static_cast<int>(lattice.index(step[0])));
+    const int b = numeric::find_root(parent, static_cast<int>(lattice.index(step[1])));
     if (a == b && --genus < 0) continue;
     parent[a] = b;
     chosen.push_back(step);

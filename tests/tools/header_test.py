@@ -19,7 +19,8 @@ HEAVY = {
     "algebra/integer_matrix.hpp",  # integers of any size
     "algebra/smith.hpp",
     "algebra/torsion.hpp",
-    "hyperbolic/real50.hpp",  # sixty digits
+    "numeric/instantiate.hpp",  # sixty digits
+    "numeric/real50.hpp",
 }
 
 

@@ -96,6 +96,20 @@ class Hyperbolize(unittest.TestCase):
             self.assertGreater(len(values), 10)
             self.assertTrue(all(a > b for a, b in zip(values, values[1:])))
 
+    def test_cusps_have_shapes_and_lengths_into_them_are_marked(self):
+        # The Whitehead link: a regular octahedron, so that both cusps are squares, glued into rectangles of 1 by 2.
+        found = run_json("hyperbolize", "m129")[1]
+        self.assertEqual([cusp["type"] for cusp in found["cusps"]], ["torus", "torus"])
+        for cusp in found["cusps"]:
+            self.assertAlmostEqual(cusp["shape"][0], 0, delta=1e-12)
+            self.assertAlmostEqual(cusp["shape"][1], 2, delta=1e-12)
+        self.assertEqual(found["into_cusps"], [0, 1, 2, 3])
+        text = run("hyperbolize", "m129").stdout
+        self.assertEqual(len(re.findall(r"^edge \d .* to the horosphere, valence", text, re.M)), 4)
+        self.assertEqual(len(re.findall(r"^cusp \d +torus, shape -?0\.0000000000 \+ 2\.0000000000 i$", text, re.M)), 2)
+        closed = run_json("hyperbolize", "cPcbbbihq")[1]
+        self.assertEqual((closed["cusps"], closed["into_cusps"]), ([], []))
+
     def test_false_convergence_is_not_found(self):
         status, found = run_json("hyperbolize", "dLQacccjcog")
         self.assertEqual((status, found["outcome"]), (4, "not found"))

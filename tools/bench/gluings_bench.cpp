@@ -2,12 +2,12 @@
 // What the enumeration of gluings costs, with one thread: searching alone (count), with a triangulation built
 // of each (visit), with names (signatures, sorted). The counter is gluings per second. compare_tricensus
 // beside this file sets the last of them against Regina.
-#include "tetrarch/census/gluings.hpp"
+#include "tetrarch/enumeration/gluings.hpp"
 
 #include <benchmark/benchmark.h>
 
 using namespace tetrarch;
-using namespace tetrarch::census;
+using namespace tetrarch::enumeration;
 
 namespace {
 

@@ -8,8 +8,8 @@
 #include "tetrarch/core/signature.hpp"
 #include "tetrarch/hyperbolic/cosine_laws.hpp"
 #include "tetrarch/hyperbolic/hyperbolize.hpp"
-#include "tetrarch/hyperbolic/real50.hpp"
 #include "tetrarch/hyperbolic/volume.hpp"
+#include "tetrarch/numeric/real50.hpp"
 
 #include <benchmark/benchmark.h>
 #include <fstream>
@@ -73,7 +73,7 @@ BENCHMARK(luo_flow)->Unit(benchmark::kMillisecond);
 
 void refine_to_60_digits(benchmark::State& state) {
   over_all_gluings(
-      state, [](const Gluing3& g) { benchmark::DoNotOptimize(refine<Real50>(g.skeleton, g.structure)); });
+      state, [](const Gluing3& g) { benchmark::DoNotOptimize(refine<numeric::Real50>(g.skeleton, g.structure)); });
 }
 BENCHMARK(refine_to_60_digits)->Unit(benchmark::kMillisecond);
 
@@ -91,7 +91,7 @@ void angles_from_lengths(benchmark::State& state) {
   }
 }
 BENCHMARK(angles_from_lengths<double>);
-BENCHMARK(angles_from_lengths<Real50>);
+BENCHMARK(angles_from_lengths<numeric::Real50>);
 
 template <class Scalar>
 void angles_by_laws(benchmark::State& state) {
@@ -112,7 +112,7 @@ void jacobian(benchmark::State& state) {
   }
 }
 BENCHMARK(jacobian<double>);
-BENCHMARK(jacobian<Real50>);
+BENCHMARK(jacobian<numeric::Real50>);
 
 template <class Scalar>
 void one_volume(benchmark::State& state) {
@@ -123,7 +123,7 @@ void one_volume(benchmark::State& state) {
   }
 }
 BENCHMARK(one_volume<double>);
-BENCHMARK(one_volume<Real50>);
+BENCHMARK(one_volume<numeric::Real50>);
 
 } // namespace
 

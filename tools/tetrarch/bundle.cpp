@@ -18,8 +18,8 @@
 #include "tetrarch/format/text.hpp"
 #include "tetrarch/mesh/canonical_loops.hpp"
 #include "tetrarch/mesh/repair.hpp"
-#include "tetrarch/scene/bundle.hpp"
 #include "tetrarch/scene/files.hpp"
+#include "tetrarch/show/bundle.hpp"
 
 #include <cmath>
 #include <memory>
@@ -235,12 +235,12 @@ void add_outputs(Result& result, const Plan& plan, const bundle::CircleBundle& b
                  const format::Document& document, const std::vector<int>& index, const Options& options) {
   const auto scene_of = [&](const std::string& path) {
     const bool cells = format::has_extension(path, ".vtu") || plan.method == Plan::Method::disk;
-    if (options.show == "surface") return scene::cut_surface(plan, index);
-    return cells ? scene::solid_tori(plan, bundle) : scene::gluable_tori(plan);
+    if (options.show == "surface") return show::cut_surface(plan, index);
+    return cells ? show::solid_tori(plan, bundle) : show::gluable_tori(plan);
   };
   for (const std::string& path : options.outputs) {
     if (is_svg(path))
-      result.files.push_back({path, write_svg(scene::gluable_bands(plan))});
+      result.files.push_back({path, write_svg(show::gluable_bands(plan))});
     else if (const auto format = scene::scene_format_for_extension(path))
       result.files.push_back({path, write_scene(scene_of(path), *format)});
     else
@@ -262,12 +262,12 @@ void require_room(const PlanOptions& wanted, const SurfaceInput& surface, const 
 }
 
 /// A bundle that is proved to be what was planned; a failure here is ours.
-struct Made {
+struct ProvedBundle {
   bundle::CircleBundle bundle;
   bundle::Proof proof;
 };
 
-Made make(const Plan& plan, const Context& context) {
+ProvedBundle make(const Plan& plan, const Context& context) {
   audit(plan);
   bundle::CircleBundle bundle = bundle::assemble(plan.recipe, context.progress);
   bundle::Proof proof = bundle::prove(bundle, Skeleton(bundle.total), context.progress);
@@ -277,7 +277,7 @@ Made make(const Plan& plan, const Context& context) {
   return {std::move(bundle), std::move(proof)};
 }
 
-Json details_json(const Plan& plan, const Made& made, const Singularities& singular) {
+Json details_json(const Plan& plan, const ProvedBundle& made, const Singularities& singular) {
   Json json;
   json["fiber"] = made.bundle.fiber;
   json["euler_number"] = made.proof.has_euler_number ? Json(made.proof.euler_number) : Json();
@@ -294,7 +294,7 @@ Json details_json(const Plan& plan, const Made& made, const Singularities& singu
 
 using Rows = std::vector<std::pair<std::string, std::string>>;
 
-Rows details_rows(const Plan& plan, const Json& details, const Made& made, const Options& options) {
+Rows details_rows(const Plan& plan, const Json& details, const ProvedBundle& made, const Options& options) {
   Rows rows{{"cut along", name_of(plan.method)},
             {"refined by", counted(plan.splits(), "split")},
             {"fibres", counted(made.bundle.base.vertex_count(), "circle") + " of " +
@@ -320,7 +320,7 @@ Result run_bundle(const Options& options, const Context& context) {
     return obstructed(*found, surface, options);
   const Plan& plan = std::get<Plan>(planned);
   require_room(wanted, plan.cut.surface.triangle_count(), options);
-  const Made made = make(plan, context);
+  const ProvedBundle made = make(plan, context);
 
   constexpr int small = 2'000; // tetrahedra; beyond, nobody reads a signature or a group
   Info info = info_of(made.bundle.total, "", context, made.bundle.total.size() > small);

@@ -2,10 +2,10 @@
 #include "command.hpp"
 #include "text.hpp"
 
-#include "tetrarch/census/gluings.hpp"
-#include "tetrarch/census/validate.hpp"
+#include "tetrarch/catalogue/validate.hpp"
 #include "tetrarch/core/error.hpp"
 #include "tetrarch/core/signature.hpp"
+#include "tetrarch/enumeration/gluings.hpp"
 #include "tetrarch/format/text.hpp"
 
 #include <chrono>
@@ -14,8 +14,8 @@
 namespace tetrarch::program {
 namespace {
 
-using census::Manifold;
-using census::Validation;
+using catalogue::Manifold;
+using catalogue::Validation;
 
 Json manifold_json(const Manifold& m) {
   Json j{{"name", nullptr}, {"tetrahedra", m.tetrahedra}};
@@ -81,7 +81,7 @@ std::string validation_text(const Validation& v, double seconds) {
 
 Result run_validation(int tetrahedra, const Context& context) {
   const auto start = std::chrono::steady_clock::now();
-  const Validation v = census::validate(tetrahedra, context.threads, context.progress);
+  const Validation v = catalogue::validate(tetrahedra, context.threads, context.progress);
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   Result result;
   result.json = validation_json(v, seconds);
@@ -92,7 +92,7 @@ Result run_validation(int tetrahedra, const Context& context) {
 
 void add_tetrahedra(OptionTable& table, int& tetrahedra, bool required) {
   Option& option = table.add("--tetrahedra", tetrahedra, "number of tetrahedra")
-                       .in_range(1, census::max_gluing_tetrahedra);
+                       .in_range(1, enumeration::max_gluing_tetrahedra);
   if (required)
     option.required();
   else
@@ -103,7 +103,7 @@ void add_tetrahedra(OptionTable& table, int& tetrahedra, bool required) {
 
 Run declare_census_gluings(OptionTable& table) {
   struct Options {
-    census::GluingOptions gluings;
+    enumeration::GluingOptions gluings;
     bool orientable = false;
     bool nonorientable = false;
     std::string links;
@@ -127,13 +127,13 @@ Run declare_census_gluings(OptionTable& table) {
             "allow edges that are identified with themselves reversed");
   table.add("-o,--output", options->output, "write the signatures to this file").value_name("FILE");
   return [options](const Context& context) {
-    using Orientability = census::GluingOptions::Orientability;
-    census::GluingOptions gluings = options->gluings;
+    using Orientability = enumeration::GluingOptions::Orientability;
+    enumeration::GluingOptions gluings = options->gluings;
     gluings.threads = context.threads;
     if (options->orientable) gluings.orientability = Orientability::orientable;
     if (options->nonorientable) gluings.orientability = Orientability::nonorientable;
-    if (!options->links.empty()) gluings.links = census::parse_link_set(options->links);
-    const std::vector<std::string> signatures = census::gluing_signatures(gluings, context.progress);
+    if (!options->links.empty()) gluings.links = enumeration::parse_link_set(options->links);
+    const std::vector<std::string> signatures = enumeration::gluing_signatures(gluings, context.progress);
     std::string lines;
     for (const std::string& s : signatures) lines += s + "\n";
     Result result;
@@ -156,12 +156,12 @@ Run declare_census_enumerate(OptionTable& table) {
   table.add("-o,--output", *output, "write a census table to this file (the format of census/*.json)")
       .value_name("FILE");
   return [tetrahedra, output](const Context& context) {
-    const auto found = census::classify_manifolds(*tetrahedra, context.threads, context.progress);
+    const auto found = catalogue::classify_manifolds(*tetrahedra, context.threads, context.progress);
     Result result;
     if (output->empty())
       for (const Manifold& m : found.manifolds) result.text += manifold_json(m).dump() + "\n";
     else {
-      result.files.push_back({*output, census::write_table(*tetrahedra, found.manifolds)});
+      result.files.push_back({*output, catalogue::write_table(*tetrahedra, found.manifolds)});
       result.text = counted(static_cast<long long>(found.manifolds.size()), "manifold") + " written to " +
                     *output + "\n";
     }
@@ -188,7 +188,7 @@ Run declare_census_list(OptionTable& table) {
     Result result;
     result.json = {{"tetrahedra", *tetrahedra}, {"manifolds", Json::array()}};
     std::vector<std::pair<std::string, std::string>> rows;
-    for (const Manifold& m : census::require_table(*tetrahedra)) {
+    for (const Manifold& m : catalogue::require_table(*tetrahedra)) {
       result.json["manifolds"].push_back(manifold_json(m));
       rows.emplace_back(m.name, shortened(m.volume) + "  " + m.boundary_text() + "  " + m.homology + "  " +
                                     m.signature);
@@ -202,7 +202,7 @@ Run declare_census_show(OptionTable& table) {
   const auto name = std::make_shared<std::string>();
   table.add("NAME", *name, "a census name, such as fmp3_17").required();
   return [name](const Context&) {
-    const auto found = census::find_by_name(*name);
+    const auto found = catalogue::find_by_name(*name);
     if (!found) throw InputError("no census manifold is called " + in_quotes(*name));
     const Manifold& m = *found;
     Result result;

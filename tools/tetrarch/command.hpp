@@ -11,6 +11,8 @@
 
 #include "tetrarch/core/progress.hpp"
 #include "tetrarch/format/ledger.hpp"
+#include "tetrarch/workshop/fields.hpp"
+#include "tetrarch/workshop/verdict.hpp"
 
 #include <cstdint>
 #include <functional>
@@ -22,6 +24,9 @@ namespace tetrarch::program {
 
 /// Exit statuses, as documented for the program.
 enum class Status { done = 0, proved_no = 1, bad_input = 2, fault = 3, undecided = 4, interrupted = 130 };
+
+/// Done; a proved no; undecided.
+Status status_of(workshop::Verdict verdict);
 
 struct Result {
   std::string text; ///< for people; ends with a newline
@@ -73,6 +78,8 @@ struct Command {
   std::function<Run(OptionTable&)> declare;
   /// In a session, what it makes of a named value takes the name.
   bool changes = false;
+  /// The members of its JSON, where a typed result lists them; null: not listed.
+  std::vector<workshop::FieldNote> (*fields)() = nullptr;
 };
 
 /// All commands, in the order of the help page.

@@ -1,22 +1,32 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "command.hpp"
 
+#include "tetrarch/workshop/canonical.hpp"
+#include "tetrarch/workshop/identify.hpp"
+#include "tetrarch/workshop/info.hpp"
+#include "tetrarch/workshop/structure.hpp"
+
 namespace tetrarch::program {
 namespace {
 
 constexpr const char* triangulations = "Triangulations";
-constexpr const char* hyperbolic = "Hyperbolic structures";
+constexpr const char* structures = "Hyperbolic structures";
 constexpr const char* meshes = "Meshes of surfaces and solids";
-constexpr const char* census = "The census";
+constexpr const char* tables = "The census";
 constexpr const char* session = "Sessions and help";
 
 } // namespace
+
+Status status_of(workshop::Verdict verdict) {
+  if (verdict == workshop::Verdict::yes) return Status::done;
+  return verdict == workshop::Verdict::proved_no ? Status::proved_no : Status::undecided;
+}
 
 const std::vector<Command>& commands() {
   static const std::vector<Command> table{
       {triangulations, "info",
        "sizes, validity, orientability, vertex links, boundary, homology, group, signature", "info cPcbbbihq",
-       declare_info},
+       declare_info, false, workshop::notes_of<workshop::Info>},
       {triangulations, "skeleton", "the gluings, and the classes of faces, edges and vertices",
        "skeleton cPcbbbihq", declare_skeleton},
       {triangulations, "group", "a simplified presentation of the fundamental group, and the first homology",
@@ -35,17 +45,17 @@ const std::vector<Command>& commands() {
       {triangulations, "subdivide",
        "more tetrahedra, the same manifold; real boundary in place of ideal vertices",
        "subdivide cPcbbbihq --finite --barycentric 1 -o knotted_y_mesh.json", declare_subdivide},
-      {hyperbolic, "hyperbolize",
+      {structures, "hyperbolize",
        "find the structure with geodesic boundary and cusps, by Newton's method or Luo's flow",
-       "hyperbolize cPcbbbihq", declare_hyperbolize},
-      {hyperbolic, "canonize", "canonical cells, isometry signature and isometry group", "canonize fmp3_1",
-       declare_canonize},
-      {hyperbolic, "isometric", "decide whether two manifolds are isometric", "isometric cPcbbbihq fmp2_1",
-       declare_isometric},
-      {hyperbolic, "embed",
+       "hyperbolize cPcbbbihq", declare_hyperbolize, false, workshop::notes_of<workshop::Structure>},
+      {structures, "canonize", "canonical cells, isometry signature and isometry group", "canonize fmp3_1",
+       declare_canonize, false, workshop::notes_of<workshop::Cells>},
+      {structures, "isometric", "decide whether two manifolds are isometric", "isometric cPcbbbihq fmp2_1",
+       declare_isometric, false, workshop::notes_of<workshop::Isometry>},
+      {structures, "embed",
        "the fundamental domain and its copies in hyperbolic space, the holonomy, boundary tilings",
        "embed cPcbbbihq --copies 60 --model ball -o knotted_y.glb", declare_embed},
-      {hyperbolic, "view", "write a self-contained page to look at the manifold and turn it around",
+      {structures, "view", "write a self-contained page to look at the manifold and turn it around",
        "view cPcbbbihq -o knotted_y.html", declare_view},
       {meshes, "bundle", "the unit tangent bundle of a surface, or the circle bundle of any Euler number",
        "bundle samples/torus.off --fiber 6 -o torus_bundle.json", declare_bundle},
@@ -58,19 +68,20 @@ const std::vector<Command>& commands() {
       {meshes, "product",
        "coordinates of a handlebody in (a disk with holes) x (an interval); hexahedral meshes",
        "product samples/genus4_ridges.mesh --labels 1,2 --hex 30 -o genus4.vtu", declare_product},
-      {census, "census gluings",
+      {tables, "census gluings",
        "list all closed gluings of N tetrahedra up to isomorphism, as signatures, one per line",
        "census gluings --tetrahedra 2 --orientable --ideal", declare_census_gluings},
-      {census, "census enumerate",
+      {tables, "census enumerate",
        "classify the manifolds of N tetrahedra from nothing, one JSON object per line",
        "census enumerate --tetrahedra 2", declare_census_enumerate},
-      {census, "census validate", "rebuild a stored table from nothing and solve its manifolds again",
+      {tables, "census validate", "rebuild a stored table from nothing and solve its manifolds again",
        "census validate --tetrahedra 2", declare_census_validate},
-      {census, "census list", "list the manifolds of a stored table", "census list --tetrahedra 2",
+      {tables, "census list", "list the manifolds of a stored table", "census list --tetrahedra 2",
        declare_census_list},
-      {census, "census show", "show the entry of one manifold", "census show fmp3_17", declare_census_show},
-      {census, "census identify", "find the name of a manifold, whatever its triangulation",
-       "census identify eLPkbdcddhgggb", declare_census_identify},
+      {tables, "census show", "show the entry of one manifold", "census show fmp3_17", declare_census_show},
+      {tables, "census identify", "find the name of a manifold, whatever its triangulation",
+       "census identify eLPkbdcddhgggb", declare_census_identify, false,
+       workshop::notes_of<identify::Identification>},
       {session, "shell", "run the same commands as verbs on named values, at a prompt or from a script",
        "shell samples/moves.txt", declare_shell},
       {session, "help", "explain a command and its options; with --json, print the table of all commands",

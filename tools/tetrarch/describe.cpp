@@ -68,6 +68,9 @@ Json command_json(const Declared& declared, const std::string& program) {
     else if (option.group != common_group)
       json["options"].push_back(option_json(option));
   }
+  if (command.fields != nullptr)
+    for (const workshop::FieldNote& field : command.fields())
+      json["result"].push_back({{"name", field.name}, {"unit", field.unit}, {"meaning", field.meaning}});
   return json;
 }
 

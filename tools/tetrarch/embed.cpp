@@ -10,7 +10,7 @@
 #include "tetrarch/embed/mobius.hpp"
 #include "tetrarch/format/text.hpp"
 #include "tetrarch/scene/files.hpp"
-#include "tetrarch/scene/in_model.hpp"
+#include "tetrarch/show/in_model.hpp"
 
 #include <algorithm>
 #include <memory>
@@ -20,8 +20,8 @@ namespace tetrarch::program {
 namespace {
 
 using embed::Piece;
-using scene::Body;
-using scene::ModelOptions;
+using show::Body;
+using show::ModelOptions;
 
 struct Options {
   std::string input;
@@ -167,10 +167,10 @@ Drawn draw(const Embedding& e, const embed::PieceBounds& wanted, const Options& 
                        counted(static_cast<long long>(lifts.size()), "component") + ", counted from 0");
     const auto& lift = lifts[*options.boundary];
     drawn.piece = group_piece(lift.pairings, lift.size, bounds, context.progress);
-    drawn.body = scene::body_of(e.skeleton, lift, drawn.piece);
+    drawn.body = show::body_of(e.skeleton, lift, drawn.piece);
   } else {
     drawn.piece = universal_cover(e.domain, bounds, context.progress);
-    drawn.body = scene::body_of(e.tri, e.skeleton, e.domain, drawn.piece);
+    drawn.body = show::body_of(e.tri, e.skeleton, e.domain, drawn.piece);
   }
   require_complete(drawn.piece, wanted, options.memory);
   return drawn;
@@ -196,7 +196,7 @@ std::string picture(const std::string& path, const Body& body, const Options& op
                     const Context& context) {
   const ModelOptions how = model_options(body, options);
   if (is_svg(path))
-    return write_svg(body.view == scene::View::space ? circles_at_infinity(body) : drawing_of(body, how));
+    return write_svg(body.view == show::View::space ? circles_at_infinity(body) : drawing_of(body, how));
   require_memory(std::to_string(body.copies.size()) + " copies in " + path, scene_bytes(body, how),
                  options.memory);
   return write_scene(in_model(body, how, context.progress), *scene::scene_format_for_extension(path));

@@ -4,12 +4,11 @@
 #include "output.hpp"
 #include "text.hpp"
 
-#include "tetrarch/census/identify.hpp"
 #include "tetrarch/core/error.hpp"
-#include "tetrarch/core/signature.hpp"
 #include "tetrarch/core/skeleton.hpp"
 #include "tetrarch/format/read.hpp"
 #include "tetrarch/moves/subdivide.hpp"
+#include "tetrarch/workshop/identify.hpp"
 
 #include <memory>
 
@@ -17,31 +16,16 @@ namespace tetrarch::program {
 namespace {
 
 Result identify(const std::string& input, int attempts, const Context& context) {
-  using census::Identification;
   const format::Document document = read_triangulation(input, context);
   require_manifold(document.triangulation, input);
-  const Identification found =
-      census::identify(document.triangulation, {context.seed, attempts}, context.progress);
-  const auto or_null = [](const std::string& text) { return text.empty() ? Json() : Json(text); };
-
+  const identify::Identification found =
+      identify::identify(document.triangulation, {context.seed, attempts}, context.progress);
   Result result;
   result.warnings = document.warnings;
-  result.status = found ? Status::done : Status::undecided;
-  result.json["name"] = or_null(found.name);
-  result.json["by"] = found ? Json(to_string(found.by)) : Json();
-  result.json["volume"] = found.volume ? Json(*found.volume) : Json();
-  result.json["isometry_signature"] = or_null(found.isometry_signature);
-  result.json["signature"] = signature(found.triangulation);
-  result.json["confirmed_only"] = found.confirmed_only;
-  result.json["tried"] = found.tried;
+  result.status = status_of(workshop::verdict_of(found));
+  result.json = workshop::tree_of(found);
+  result.text = block(workshop::rows_of(found));
   if (found) result.value = std::make_shared<Value>(format::document_of(found.triangulation, found.name));
-
-  std::vector<std::pair<std::string, std::string>> rows{{"name", found ? found.name : "none found"}};
-  if (found) rows.emplace_back("by", to_string(found.by));
-  if (found.volume) rows.emplace_back("volume", fixed(*found.volume, 12));
-  for (std::size_t k = 0; k < found.tried.size(); ++k)
-    rows.emplace_back(k == 0 ? "tried" : "", found.tried[k]);
-  result.text = block(rows);
   return result;
 }
 
@@ -104,7 +88,7 @@ Result subdivide(const SubdivideOptions& options, const Context& context) {
 
 Run declare_census_identify(OptionTable& table) {
   const auto input = std::make_shared<std::string>();
-  const auto attempts = std::make_shared<int>(census::IdentifyOptions().attempts);
+  const auto attempts = std::make_shared<int>(identify::IdentifyOptions().attempts);
   table.add("X", *input, "a triangulation or a mesh").required();
   table.add("--attempts", *attempts, "greatest number of triangulations to try")
       .in_range(1, 1'000'000)

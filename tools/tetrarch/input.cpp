@@ -6,7 +6,6 @@
 #include "samples.hpp"
 
 #include "tetrarch/algebra/group_text.hpp"
-#include "tetrarch/census/names.hpp"
 #include "tetrarch/core/check.hpp"
 #include "tetrarch/core/signature.hpp"
 #include "tetrarch/format/group_json.hpp"
@@ -15,8 +14,10 @@
 #include "tetrarch/format/read.hpp"
 #include "tetrarch/format/signature_text.hpp"
 #include "tetrarch/format/text.hpp"
+#include "tetrarch/identify/names.hpp"
 #include "tetrarch/mesh/fill.hpp"
 #include "tetrarch/mesh/tet_mesh.hpp"
+#include "tetrarch/workshop/info.hpp"
 
 #include <optional>
 
@@ -88,9 +89,9 @@ format::Soup noted(format::Soup soup, const Context& context) {
 
 /// The manifold of a name, "m004", or of a name with Dehn fillings, "m004(1,2)", which are passed over.
 std::optional<format::Document> named_manifold(const std::string& argument) {
-  std::optional<census::Named> named = census::find_named(argument);
+  std::optional<identify::Named> named = identify::find_named(argument);
   format::Ledger fillings;
-  if (!named) named = census::find_named(std::string(format::without_fillings(argument, fillings)));
+  if (!named) named = identify::find_named(std::string(format::without_fillings(argument, fillings)));
   if (!named) return std::nullopt;
   format::Document document = format::document_of(std::move(named->triangulation), named->name);
   document.passed_over = fillings;
@@ -109,7 +110,7 @@ bool is_meant_as_signature(const std::string& argument) {
 format::Document spelled_out(const std::string& argument) {
   if (is_json(argument)) return format::read_any(argument, given_json);
   if (std::optional<format::Document> named = named_manifold(argument)) return std::move(*named);
-  const std::string near = near_names(argument, census::listed_names());
+  const std::string near = near_names(argument, identify::listed_names());
   std::string why;
   try {
     return format::read_signature_text(argument);
@@ -205,27 +206,9 @@ std::vector<LocatedGroup> read_groups(const std::string& argument, const Context
 
 std::vector<LocatedGroup> fundamental_groups(const Triangulation& tri, bool as_read,
                                              const Progress& progress) {
-  const Components parts = components(tri);
-  std::vector<std::vector<int>> tetrahedra(static_cast<std::size_t>(parts.count)); // of each, their numbers
-  for (int t = 0; t < tri.size(); ++t) tetrahedra[parts.of[t]].push_back(t);
   std::vector<LocatedGroup> groups;
-  for (const Triangulation& part : split(tri, parts)) {
-    const algebra::DualPresentation dual = algebra::dual_presentation(part, Skeleton(part));
-    const std::vector<int>& number = tetrahedra[groups.size()];
-    LocatedGroup located;
-    const auto add_face = [&](std::size_t g) {
-      located.faces.push_back({number[dual.generator_face[g].tet], dual.generator_face[g].face});
-    };
-    if (as_read) {
-      for (std::size_t g = 0; g < dual.generator_face.size(); ++g) add_face(g);
-      located.group = group_document(dual.presentation);
-    } else {
-      algebra::Kept kept = simplified_keeping(dual.presentation, {}, progress);
-      for (const int g : kept.generator) add_face(static_cast<std::size_t>(g));
-      located.group = group_document(std::move(kept.presentation));
-    }
-    groups.push_back(std::move(located));
-  }
+  for (workshop::ComponentGroup& found : workshop::fundamental_groups(tri, as_read, progress))
+    groups.push_back({group_document(std::move(found.group)), std::move(found.faces)});
   return groups;
 }
 

@@ -5,6 +5,7 @@
 
 #include "tetrarch/core/error.hpp"
 #include "tetrarch/format/text.hpp"
+#include "tetrarch/numeric/sparse_cholesky.hpp"
 
 #include <csignal>
 #include <filesystem>
@@ -103,6 +104,14 @@ void tell_input(Result& result, const Share& share) {
   result.text = share.input + (share.name.empty() ? "" : "  " + share.name) + "\n" + result.text + "\n";
 }
 
+/// No command is done whose result holds a number that is none.
+void require_numbers(Result& result) {
+  const std::string where = result.json.where_not_a_number();
+  if (where.empty() || result.status != Status::done) return;
+  result.status = Status::undecided;
+  result.warnings.push_back("rounding errors were too great: " + where + " is no number");
+}
+
 void deliver(const Result& result, const Common& common, const std::string& speaker,
              const Statement* statement, Share* share) {
   std::set<std::filesystem::path> paths;
@@ -145,13 +154,14 @@ void tell(const Statement& statement, Status status, const std::string& key, Jso
   std::cout << json.dump() << std::endl;
 }
 
-Done run_job(const Job& job, const Values* values, const std::string& speaker, const Statement* statement,
-             Share* share) {
+JobOutcome run_job(const Job& job, const Values* values, const std::string& speaker,
+                   const Statement* statement, Share* share) {
   const Common& common = job.common;
   const auto failed = [&](const std::string& message, Status status) {
     if (common.json && statement != nullptr) tell(*statement, status, "error", message);
     const bool says_whose = share == nullptr || message.starts_with(share->input);
-    return Done{complain(speaker, says_whose ? message : share->input + ": " + message, status), nullptr};
+    return JobOutcome{complain(speaker, says_whose ? message : share->input + ": " + message, status),
+                      nullptr};
   };
   const ProgressBar bar(!common.quiet);
   try {
@@ -162,6 +172,7 @@ Done run_job(const Job& job, const Values* values, const std::string& speaker, c
     if (share != nullptr) context.reads->passed_over.add(share->passed_over);
     Result result = job.run(context);
     bar.clear();
+    require_numbers(result);
     tell_reads(result, *context.reads);
     if (share != nullptr) tell_input(result, *share);
     deliver(result, common, speaker, statement, share);
@@ -170,6 +181,9 @@ Done run_job(const Job& job, const Values* values, const std::string& speaker, c
     bar.clear();
     return failed("interrupted; nothing was written", Status::interrupted);
   } catch (const InputError& e) {
+    bar.clear();
+    return failed(e.what(), Status::bad_input);
+  } catch (const numeric::MatrixTooLarge& e) {
     bar.clear();
     return failed(e.what(), Status::bad_input);
   } catch (const std::bad_alloc&) {

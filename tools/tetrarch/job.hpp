@@ -26,7 +26,7 @@ struct Share {
   format::Ledger passed_over;              ///< to be told with this job
 };
 
-struct Done {
+struct JobOutcome {
   Status status = Status::done;
   ValuePointer value; ///< what the job made, if it made something
 };
@@ -40,8 +40,8 @@ struct Statement {
 /// Runs the job, then writes its files and prints. With a statement and `--json` that is one object in one
 /// line, also of an error: {"name", "line", "status", "result" or "error"}; with a share it is an object in a
 /// line with the input's name. Throws nothing.
-Done run_job(const Job& job, const Values* values, const std::string& speaker,
-             const Statement* statement = nullptr, Share* share = nullptr);
+JobOutcome run_job(const Job& job, const Values* values, const std::string& speaker,
+                   const Statement* statement = nullptr, Share* share = nullptr);
 
 /// The object of a statement that is not the work of a job, or failed before there was one.
 void tell(const Statement& statement, Status status, const std::string& key, Json value);

@@ -1,86 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
-/// What a command says, for programs: a tree in the shape of JSON, whose members keep their order.
-///
-///     Json json{{"name", "fmp2_8"}, {"angles", Json::array()}};      pairs that begin with a text: an object
-///     json["angles"].push_back(0.5);
-///
-/// It is written by the JSON library, in json.cpp alone: that library's header would cost every command two
-/// seconds of compilation. Reading files is the business of the room `format`.
+/// What a command says for programs: the tree of results, which the program prints as JSON.
 
-#include <array>
-#include <concepts>
-#include <cstddef>
-#include <cstdint>
-#include <initializer_list>
-#include <string>
-#include <string_view>
-#include <utility>
-#include <variant>
-#include <vector>
+#include "tetrarch/workshop/tree.hpp"
 
 namespace tetrarch::program {
 
-class Json {
-public:
-  using Array = std::vector<Json>;
-  using Object = std::vector<std::pair<std::string, Json>>;
-
-  Json() = default; ///< null
-  Json(std::nullptr_t) {}
-  Json(bool value) : value_(value) {}
-  template <std::signed_integral T>
-  Json(T value) : value_(static_cast<std::int64_t>(value)) {}
-  template <std::unsigned_integral T>
-  Json(T value) : value_(static_cast<std::uint64_t>(value)) {}
-  Json(double value) : value_(value) {}
-  Json(const char* value) : value_(std::string(value)) {}
-  Json(std::string_view value) : value_(std::string(value)) {}
-  Json(std::string value) : value_(std::move(value)) {}
-  /// An object if every item is a list of two of which the first is a text, else an array.
-  Json(std::initializer_list<Json> items);
-  template <std::ranges::range R>
-  requires(!std::convertible_to<R, std::string_view> && !std::same_as<R, Json>) Json(const R& range)
-      : value_(Array()) {
-    for (const auto& item : range) push_back(item);
-  }
-  static Json array();
-  static Json object();
-  /// Of JSON text that the program wrote itself. Throws PreconditionError if it is none.
-  static Json parse(std::string_view text);
-
-  bool is_null() const { return value_.index() == 0; }
-  bool is_object() const { return std::holds_alternative<Object>(value_); }
-  /// Of an array or object; 0 of anything else.
-  std::size_t size() const;
-  bool empty() const { return size() == 0; }
-
-  /// The member of that name, added if there is none; null becomes an object. Linear in their number.
-  /// Throws PreconditionError for what is neither.
-  Json& operator[](std::string_view key);
-  /// The member of that name; throws PreconditionError if there is none.
-  const Json& operator[](std::string_view key) const;
-  /// Adds the members of another object, or replaces those there are.
-  void update(const Json& other);
-  void erase(std::string_view key);
-
-  /// Null becomes an array. Throws PreconditionError for what is neither.
-  void push_back(Json item);
-  const Json& front() const;
-  const Json& back() const;
-  Array::const_iterator begin() const;
-  Array::const_iterator end() const;
-
-  const std::string& text() const; ///< throws PreconditionError unless it is one
-  int integer() const;             ///< throws PreconditionError unless it is one
-  double number() const;           ///< likewise
-
-  /// JSON text, in one line; with an `indent`, an item a line. Numbers that are not finite become null.
-  std::string dump(int indent = -1) const;
-
-private:
-  std::variant<std::monostate, bool, std::int64_t, std::uint64_t, double, std::string, Array, Object> value_;
-};
+using Json = workshop::Tree;
 
 } // namespace tetrarch::program

@@ -108,7 +108,7 @@ product::FloorOptions floor_options(const Options& options) {
 }
 
 /// Some of the fibres, from vertices of the floor that are spread over it.
-void add_fibers(ProductMade& made, const product::FiberField& field, const product::FloorMap& floor,
+void add_fibers(SolidProduct& made, const product::FiberField& field, const product::FloorMap& floor,
                 int count) {
   const std::size_t all = floor.vertex.size();
   const std::size_t wanted = std::min(all, static_cast<std::size_t>(count));
@@ -125,7 +125,7 @@ void add_fibers(ProductMade& made, const product::FiberField& field, const produ
 }
 
 /// Smoothed if wanted, measured and told.
-void add_quality(ProductMade& made, const Options& options, const Progress& progress) {
+void add_quality(SolidProduct& made, const Options& options, const Progress& progress) {
   product::HexQuality quality = product::quality(made.hexahedra->mesh);
   if (options.smooth) {
     const product::HexQuality before = std::move(quality);
@@ -138,7 +138,7 @@ void add_quality(ProductMade& made, const Options& options, const Progress& prog
   made.scaled_jacobian = std::move(quality.scaled_jacobian);
 }
 
-void add_hexahedra(ProductMade& made, const product::FiberField& field, const product::FloorMap& floor,
+void add_hexahedra(SolidProduct& made, const product::FiberField& field, const product::FloorMap& floor,
                    const Options& options, const Context& context) {
   const product::FloorGrid grid =
       product::floor_grid(floor.height, floor.rectangles, {.across = options.hex});
@@ -154,7 +154,7 @@ void add_hexahedra(ProductMade& made, const product::FiberField& field, const pr
 }
 
 /// Vertex k of the file is the image of vertex k of the solid; those inside are passed over.
-void add_polycube(ProductMade& made, const product::Solid& solid, const product::Partition& partition,
+void add_polycube(SolidProduct& made, const product::Solid& solid, const product::Partition& partition,
                   const Options& options, const Context& context) {
   const format::Soup soup = read_soup(options.polycube, context);
   std::vector<Point> image;
@@ -181,7 +181,7 @@ void add_polycube(ProductMade& made, const product::Solid& solid, const product:
 }
 
 /// Fibres and what hangs on them, of a field without critical places.
-void add_coordinates(ProductMade& made, const product::FloorMap& floor, const product::HarmonicField& field,
+void add_coordinates(SolidProduct& made, const product::FloorMap& floor, const product::HarmonicField& field,
                      const Options& options, const Context& context) {
   const product::FiberField fibers(made.at.solid, made.at.partition, field.w,
                                    options.follow == "gradient" ? product::Direction::gradient
@@ -202,7 +202,7 @@ struct Field {
 };
 
 /// With cotangent weights; where they leave critical places, and nobody asked for them, with clamped ones.
-Field solved(const product::Prepared& at, double height, const Options& options, const Context& context) {
+Field solved(const product::SplitSolid& at, double height, const Options& options, const Context& context) {
   Field field;
   for (const bool clamped : {false, true}) {
     if (options.weights == (clamped ? "cotangent" : "clamped")) continue;
@@ -215,8 +215,8 @@ Field solved(const product::Prepared& at, double height, const Options& options,
   return field;
 }
 
-ProductMade make(const Options& options, const Context& context) {
-  ProductMade made;
+SolidProduct make(const Options& options, const Context& context) {
+  SolidProduct made;
   const format::Soup soup = read(options, made.report, context);
   mesh::TetMesh mesh = mesh_of(soup);
   PartitionedSolid start = in_file(options.input, [&] {
@@ -224,7 +224,7 @@ ProductMade make(const Options& options, const Context& context) {
   });
   made.report.add(partition_report(start.solid, start.partition, start.how));
   if (!options.polycube.empty()) add_polycube(made, start.solid, start.partition, options, context);
-  made.at = product::prepared(std::move(start.solid), std::move(start.partition));
+  made.at = product::split_shortcuts(std::move(start.solid), std::move(start.partition));
 
   const product::FloorMap floor = in_file(options.input, [&] {
     return product::floor_map(made.at.solid, made.at.partition, floor_options(options), context.progress);
@@ -255,7 +255,7 @@ ProductMade make(const Options& options, const Context& context) {
 Result run_product(const Options& options, const Context& context) {
   check(options);
   const auto start = std::chrono::steady_clock::now();
-  ProductMade made = make(options, context);
+  SolidProduct made = make(options, context);
   made.report.json["seconds"] =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   Result result;

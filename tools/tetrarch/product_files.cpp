@@ -5,42 +5,42 @@
 #include "tetrarch/format/text.hpp"
 #include "tetrarch/scene/files.hpp"
 #include "tetrarch/scene/page.hpp"
-#include "tetrarch/scene/product.hpp"
+#include "tetrarch/show/product.hpp"
 
 namespace tetrarch::program {
 namespace {
 
 using scene::SceneFormat;
 
-scene::Scene hexahedra_scene(const ProductMade& made, const std::string& title, SceneFormat format) {
-  scene::HexahedraData data{made.scaled_jacobian, {}};
+scene::Scene hexahedra_scene(const SolidProduct& made, const std::string& title, SceneFormat format) {
+  show::HexahedraData data{made.scaled_jacobian, {}};
   // Where some are left out a layer has no fixed number of cells, and polycubes have none; then -1 is told.
   const std::size_t count = made.hexahedra->mesh.hexahedra.size();
   for (std::size_t k = 0; k < count; ++k)
     data.layer.push_back(made.cells > 0 && made.hexahedra->left_out == 0 ? static_cast<int>(k) / made.cells
                                                                          : -1);
   scene::Scene scene{title, {}, {}, {}, {}};
-  scene.cells.push_back(scene::hexahedra(made.hexahedra->mesh.points, made.hexahedra->mesh.hexahedra, data));
-  if (format != SceneFormat::vtu) scene.tubes.push_back(scene::outer_edges(scene.cells.front()));
+  scene.cells.push_back(show::hexahedra(made.hexahedra->mesh.points, made.hexahedra->mesh.hexahedra, data));
+  if (format != SceneFormat::vtu) scene.tubes.push_back(show::outer_edges(scene.cells.front()));
   return scene;
 }
 
-scene::Scene product_scene(const ProductMade& made, const std::string& title, bool in_domain,
+scene::Scene product_scene(const SolidProduct& made, const std::string& title, bool in_domain,
                            bool with_cells) {
   scene::Scene scene{title, {}, {}, {}, {}};
   const product::Solid& solid = made.at.solid;
-  scene.surfaces.push_back(in_domain ? scene::domain_surface(solid, made.at.partition, made.uvw)
-                                     : scene::boundary_surface(solid, made.at.partition, made.uvw));
-  if (!made.fibers.empty()) scene.tubes.push_back(scene::fibers(in_domain ? made.straight : made.fibers));
+  scene.surfaces.push_back(in_domain ? show::domain_surface(solid, made.at.partition, made.uvw)
+                                     : show::boundary_surface(solid, made.at.partition, made.uvw));
+  if (!made.fibers.empty()) scene.tubes.push_back(show::fibers(in_domain ? made.straight : made.fibers));
   if (with_cells)
-    scene.cells.push_back(in_domain ? scene::domain_cells(solid, made.uvw)
-                                    : scene::product_cells(solid, made.uvw));
+    scene.cells.push_back(in_domain ? show::domain_cells(solid, made.uvw)
+                                    : show::product_cells(solid, made.uvw));
   return scene;
 }
 
 /// The tetrahedra, those of edges split included, and the boundary with its patches: 1 floor, 2 ceiling, 3
 /// and on walls.
-format::Soup labelled_mesh(const ProductMade& made) {
+format::Soup labelled_mesh(const SolidProduct& made) {
   const product::Solid& solid = made.at.solid;
   format::Soup soup;
   soup.points = solid.mesh.points;
@@ -52,7 +52,7 @@ format::Soup labelled_mesh(const ProductMade& made) {
   return soup;
 }
 
-std::string page(const ProductMade& made, const std::string& title) {
+std::string page(const SolidProduct& made, const std::string& title) {
   scene::InfoTable table{"Product", {}, {}};
   for (const auto& [name, value] : made.report.rows) table.rows.push_back({name, value});
   // How far walls are from conformal says nothing: u and v run along the floor.
@@ -66,7 +66,7 @@ std::string page(const ProductMade& made, const std::string& title) {
 
 } // namespace
 
-format::MeshDocument product_document(const ProductMade& made, const ProductTitle& title) {
+format::MeshDocument product_document(const SolidProduct& made, const ProductTitle& title) {
   using On = format::MeshField::On;
   format::MeshDocument mesh;
   if (made.hexahedra) {
@@ -82,7 +82,7 @@ format::MeshDocument product_document(const ProductMade& made, const ProductTitl
   return mesh;
 }
 
-std::string product_file(const std::string& path, const ProductMade& made, const ProductTitle& title,
+std::string product_file(const std::string& path, const SolidProduct& made, const ProductTitle& title,
                          bool in_domain) {
   if (format::has_extension(path, ".mesh"))
     return made.hexahedra

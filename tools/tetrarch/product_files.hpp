@@ -17,8 +17,8 @@
 namespace tetrarch::program {
 
 /// A solid with all that is told of it.
-struct ProductMade {
-  product::Prepared at;
+struct SolidProduct {
+  product::SplitSolid at;
   std::vector<product::Point> uvw;
   std::vector<std::vector<product::Point>> fibers;   ///< in space
   std::vector<std::vector<product::Point>> straight; ///< the same in the domain
@@ -36,11 +36,11 @@ struct ProductTitle {
 };
 
 /// The hexahedra, or the tetrahedra with the coordinates of their vertices in the domain.
-format::MeshDocument product_document(const ProductMade& made, const ProductTitle& title);
+format::MeshDocument product_document(const SolidProduct& made, const ProductTitle& title);
 
 /// The text of a file, its format from its extension; of those with pictures, the domain's instead of the
 /// solid's if `in_domain`.
-std::string product_file(const std::string& path, const ProductMade& made, const ProductTitle& title,
+std::string product_file(const std::string& path, const SolidProduct& made, const ProductTitle& title,
                          bool in_domain);
 
 } // namespace tetrarch::program

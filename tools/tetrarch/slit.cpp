@@ -12,8 +12,8 @@
 #include "tetrarch/format/text.hpp"
 #include "tetrarch/scene/files.hpp"
 #include "tetrarch/scene/page.hpp"
-#include "tetrarch/scene/quads.hpp"
-#include "tetrarch/scene/slit.hpp"
+#include "tetrarch/show/quads.hpp"
+#include "tetrarch/show/slit.hpp"
 #include "tetrarch/slit/ricci.hpp"
 
 #include <chrono>
@@ -23,7 +23,7 @@
 namespace tetrarch::program {
 namespace {
 
-using scene::SlitDomain;
+using show::SlitDomain;
 
 struct Options {
   std::string input;
@@ -81,8 +81,8 @@ void check(const Options& options) {
 /// A map with everything that is told of it.
 struct Made {
   mesh::TriangleMesh mesh;
-  scene::Layout layout;
-  scene::Fields fields;
+  show::Layout layout;
+  show::Fields fields;
   Report report;
   std::optional<slit::QuadMesh> quads;
   bool found = true;
@@ -103,15 +103,24 @@ Made make_slits(const slit::OneForms& forms, slit::SlitMap map, const Options& o
   made.report = map_report(map, on_ring);
   // Vertices that are moved later are no longer harmonic.
   const slit::Residuals residuals = slit::residuals(forms, map);
-  if (options.unflip)
-    made.report.add(
-        unflipped_report(on_ring ? slit::unflip_on_ring(forms, map) : slit::unflip_on_cylinder(forms, map)));
-  add(made, on_ring ? slit::distortion_on_ring(forms, map) : slit::distortion_on_cylinder(forms, map));
+  const auto distortion = [&] {
+    return on_ring ? slit::distortion_on_ring(forms, map) : slit::distortion_on_cylinder(forms, map);
+  };
+  slit::Distortion found = distortion();
+  if (options.unflip || !found.flipped.empty()) {
+    // A slit turns back between vertices, whatever the mesh is: that much is always put right.
+    const slit::Unflip which = options.unflip ? slit::Unflip::everywhere : slit::Unflip::at_slits;
+    const slit::Unflipped moved =
+        on_ring ? slit::unflip_on_ring(forms, map, which) : slit::unflip_on_cylinder(forms, map, which);
+    made.report.add(unflipped_report(moved));
+    found = distortion();
+  }
+  add(made, found);
   made.report.add(residuals_report(residuals));
   made.fields.vertices = {{"log_radius", map.log_radius}, {"angle", map.angle}};
   for (int k = 0; k < forms.loop_count(); ++k)
     made.fields.vertices.push_back({"potential_" + std::to_string(k), forms.potential(k)});
-  made.layout = scene::layout(forms, map, domain);
+  made.layout = show::layout(forms, map, domain);
   if (options.quads > 0) {
     made.quads = slit::quads(forms, map, options.quads);
     made.report.add(quads_report(*made.quads));
@@ -126,9 +135,14 @@ Made make_circles(mesh::TriangleMesh mesh, slit::CircularMap map, const Options&
   made.found = map.domain.found;
   if (!made.found)
     made.report.warnings.emplace_back("the budget of rounds ended before the circles became round");
-  if (options.unflip) made.report.add(unflipped_report(slit::unflip_in_disk(made.mesh, map)));
-  add(made, slit::distortion_in_plane(made.mesh, map.position));
-  made.layout = scene::disk_layout(made.mesh, map.position);
+  slit::Distortion distortion = slit::distortion_in_disk(made.mesh, map);
+  if (options.unflip || !distortion.flipped.empty()) {
+    const slit::Unflip which = options.unflip ? slit::Unflip::everywhere : slit::Unflip::at_slits;
+    made.report.add(unflipped_report(slit::unflip_in_disk(made.mesh, map, which)));
+    distortion = slit::distortion_in_disk(made.mesh, map);
+  }
+  add(made, distortion);
+  made.layout = show::disk_layout(made.mesh, map.position);
   return made;
 }
 
@@ -148,13 +162,13 @@ Made make_disk(const mesh::OpenedMesh& surface, const Options& options) {
 }
 
 /// The picture after so many openings instead of the circular domain.
-scene::Layout stage_layout(const slit::OneForms& forms, const slit::SlitMap& map,
+show::Layout stage_layout(const slit::OneForms& forms, const slit::SlitMap& map,
                            const slit::CircularMap& circular, int stage) {
-  const auto last = static_cast<int>(circular.domain.stages.size()) - 1;
+  const auto last = static_cast<int>(map.slits.size());
   if (stage > last)
     throw InputError("--stage " + std::to_string(stage) + ": the last stage is " + std::to_string(last) +
                      ", with all slits open");
-  scene::Layout layout = scene::disk_layout(
+  show::Layout layout = show::disk_layout(
       forms.mesh(), slit::opening_stage(forms, map, circular, static_cast<std::size_t>(stage)));
   layout.name = "circular domain, " + counted(stage, "slit") + " open";
   return layout;
@@ -198,7 +212,7 @@ Made make(const mesh::OpenedMesh& surface, const std::vector<mesh::BoundaryLoop>
                      std::to_string(forms.loop_count() - 1));
   if (options.basis >= 0) {
     Made made = make_slits(forms, std::move(map), options);
-    made.layout = scene::basis_layout(forms, options.basis);
+    made.layout = show::basis_layout(forms, options.basis);
     return made;
   }
   if (!options.is_circular()) return make_slits(forms, std::move(map), options);
@@ -266,8 +280,8 @@ Result run_fingerprint(const mesh::OpenedMesh& surface, const std::vector<mesh::
 }
 
 std::string quads_file(const slit::QuadMesh& quads, scene::SceneFormat format) {
-  return format == scene::SceneFormat::obj ? scene::quads_obj(quads)
-                                           : scene::write_scene(scene::quad_scene(quads), format);
+  return format == scene::SceneFormat::obj ? show::quads_obj(quads)
+                                           : scene::write_scene(show::quad_scene(quads), format);
 }
 
 std::string page(const Made& made, const Options& options) {
@@ -275,8 +289,8 @@ std::string page(const Made& made, const Options& options) {
   for (const auto& [name, value] : made.report.rows) table.rows.push_back({name, value});
   return scene::write_page(scene::TexturePage{options.input + ": " + made.layout.name,
                                               {std::move(table)},
-                                              scene::textured_surface(made.mesh, made.layout),
-                                              scene::slit_domain(made.mesh, made.layout)});
+                                              show::textured_surface(made.mesh, made.layout),
+                                              show::slit_domain(made.mesh, made.layout)});
 }
 
 /// The surface with its map: of each corner the place in the domain and the texture coordinates, as vertices
@@ -308,14 +322,14 @@ format::MeshDocument document(const Made& made, const Options& options) {
 std::string file(const std::string& path, const Made& made, const Options& options) {
   if (is_json(path)) return write_mesh_json(document(made, options));
   if (format::has_extension(path, ".svg"))
-    return scene::write_svg(scene::slit_drawing(made.mesh, made.layout));
+    return scene::write_svg(show::slit_drawing(made.mesh, made.layout));
   if (format::has_extension(path, ".html")) return page(made, options);
   const scene::SceneFormat format = *scene::scene_format_for_extension(path);
   if (made.quads) return quads_file(*made.quads, format);
-  if (format == scene::SceneFormat::obj) return scene::textured_obj(made.mesh, made.layout);
+  if (format == scene::SceneFormat::obj) return show::textured_obj(made.mesh, made.layout);
   return scene::write_scene(format == scene::SceneFormat::vtu
-                                ? scene::textured_surface(made.mesh, made.layout, made.fields)
-                                : scene::slit_domain(made.mesh, made.layout),
+                                ? show::textured_surface(made.mesh, made.layout, made.fields)
+                                : show::slit_domain(made.mesh, made.layout),
                             format);
 }
 

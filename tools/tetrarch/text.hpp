@@ -1,30 +1,17 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
-/// Small helpers for the text side of results: "name: value" blocks and fixed decimals, the same in every
-/// locale.
+/// How results are written for people: the helpers of the room workshop, by their short names.
 
-#include <string>
-#include <utility>
-#include <vector>
+#include "tetrarch/workshop/text.hpp"
 
 namespace tetrarch::program {
 
-/// Lines "name   value" with the values in one column.
-std::string block(const std::vector<std::pair<std::string, std::string>>& rows);
-
-/// x with that many decimals, by std::to_chars.
-std::string fixed(double x, int decimals);
-/// x in scientific notation with that many decimals.
-std::string scientific(double x, int decimals);
-
-/// x with six digits, as short as that can be said.
-std::string rounded(double x);
-
-/// Items joined by a separator.
-std::string joined(const std::vector<std::string>& items, const std::string& separator);
-
-/// "1 manifold", "8 manifolds", "2 tetrahedra", "3 vertices".
-std::string counted(long long n, const std::string& noun);
+using workshop::block;
+using workshop::counted;
+using workshop::fixed;
+using workshop::joined;
+using workshop::rounded;
+using workshop::scientific;
 
 } // namespace tetrarch::program

@@ -7,7 +7,7 @@
 #include "tetrarch/algebra/homology.hpp"
 #include "tetrarch/core/error.hpp"
 #include "tetrarch/core/signature.hpp"
-#include "tetrarch/scene/page.hpp"
+#include "tetrarch/show/page.hpp"
 
 #include <memory>
 #include <numbers>
@@ -81,12 +81,12 @@ Result run_view(const Options& options, const Context& context) {
   const Embedding e = embedded(options.input, options.cusp_area, context);
   // A piece by word length has gaps near by that farther copies would fill: of more, the nearest are kept.
   const embed::PieceBounds bounds{8 * options.copies, 0, 0};
-  scene::Page page{e.name, {manifold_table(e), boundary_table(e), edge_table(e), angle_table(e)}, {}};
+  show::Page page{e.name, {manifold_table(e), boundary_table(e), edge_table(e), angle_table(e)}, {}};
   page.bodies.push_back(
-      scene::body_of(e.tri, e.skeleton, e.domain, universal_cover(e.domain, bounds, context.progress)));
+      show::body_of(e.tri, e.skeleton, e.domain, universal_cover(e.domain, bounds, context.progress)));
   for (const auto& lift : boundary_lifts(e.tri, e.skeleton, e.domain))
     page.bodies.push_back(
-        scene::body_of(e.skeleton, lift, group_piece(lift.pairings, lift.size, bounds, context.progress)));
+        show::body_of(e.skeleton, lift, group_piece(lift.pairings, lift.size, bounds, context.progress)));
   for (auto& body : page.bodies) keep_nearest(body, static_cast<std::size_t>(options.copies));
   Result result;
   result.warnings = e.warnings;

@@ -12,8 +12,8 @@
 #include "tetrarch/core/skeleton.hpp"
 #include "tetrarch/core/triangulation.hpp"
 #include "tetrarch/hyperbolic/hyperbolize.hpp"
-#include "tetrarch/hyperbolic/matrix4.hpp"
 #include "tetrarch/moves/ball.hpp"
+#include "tetrarch/numeric/matrix4.hpp"
 
 #include <array>
 #include <vector>
@@ -22,7 +22,7 @@ namespace tetrarch::canonical {
 
 /// Symmetric, entry (i, j) is the inner product of vertex vectors i and j.
 template <class Scalar>
-using Gram = hyperbolic::Matrix4<Scalar>;
+using Gram = numeric::Matrix4<Scalar>;
 
 template <class Scalar>
 struct Decorated {

@@ -13,14 +13,14 @@
 /// Templates over the scalar: only the field operations, square roots, and inverse hyperbolic functions where
 /// a length is asked for.
 
-#include "tetrarch/hyperbolic/matrix4.hpp"
+#include "tetrarch/numeric/matrix4.hpp"
 
 #include <array>
 #include <cmath>
 
 namespace tetrarch::embed {
 
-using hyperbolic::Matrix4;
+using numeric::Matrix4;
 
 template <class Scalar>
 using Vector4 = std::array<Scalar, 4>;
@@ -74,7 +74,7 @@ Vector4<Scalar> onto_horosphere(const Vector4<Scalar>& x, const Vector4<Scalar>&
 /// The vector with <result, x> = det(u, v, w, x): perpendicular to the three.
 template <class Scalar>
 Vector4<Scalar> cross(const Vector4<Scalar>& u, const Vector4<Scalar>& v, const Vector4<Scalar>& w) {
-  const Matrix4<Scalar> cofactors = hyperbolic::adjugate(
+  const Matrix4<Scalar> cofactors = numeric::adjugate(
       Matrix4<Scalar>{{{u[0], u[1], u[2], u[3]}, {v[0], v[1], v[2], v[3]}, {w[0], w[1], w[2], w[3]}, {}}});
   return {cofactors[0][3], cofactors[1][3], cofactors[2][3], Scalar(-cofactors[3][3])};
 }

@@ -28,7 +28,7 @@ Scalar hexagon_side(const Scalar& opposite, const Scalar& a, const Scalar& b);
 
 /// side[i][l]: the side of the truncation triangle at vertex i that lies in face l (the diagonal is 0).
 template <class Scalar>
-using TriangleSides = Matrix4<Scalar>;
+using TriangleSides = numeric::Matrix4<Scalar>;
 
 /// By (4.3) from positive edge lengths.
 template <class Scalar>

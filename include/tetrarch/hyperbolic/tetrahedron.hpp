@@ -22,7 +22,7 @@
 /// -1), angles are in radians. Sources: Yin, section 4.3.1; Frigerio-Petronio 2004; Luo-Yang 2018 (the
 /// extension).
 
-#include "tetrarch/hyperbolic/matrix4.hpp"
+#include "tetrarch/numeric/matrix4.hpp"
 
 #include <array>
 #include <cstdint>
@@ -59,7 +59,7 @@ Scalar signed_length(VertexType a, VertexType b, const Scalar& w);
 
 /// W; symmetric.
 template <class Scalar>
-Matrix4<Scalar> gram_matrix(const SixNumbers<Scalar>& lengths, const VertexTypes& types);
+numeric::Matrix4<Scalar> gram_matrix(const SixNumbers<Scalar>& lengths, const VertexTypes& types);
 
 /// det W < 0, all A_kk < 0, and no two truncating planes meet: lengths between hyperideal vertices are
 /// positive.

@@ -27,6 +27,8 @@ using Loop = std::vector<SideEnd>;
 
 /// For each side the distance of its ends, or 1 where the surface has no points. O(n).
 std::vector<double> side_lengths(const MarkedSurface& surface);
+/// Of one side.
+double side_length(const MarkedSurface& surface, Side s);
 
 /// Marks the edges that are not `crossed` (a flag for each side), except those of dangling branches, which
 /// end neither on the boundary nor at other branches. Each maximal arc between branching points or the

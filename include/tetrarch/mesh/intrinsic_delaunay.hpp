@@ -36,7 +36,8 @@ struct IntrinsicTriangulation {
 IntrinsicTriangulation intrinsic_delaunay(const TriangleMesh& mesh,
                                           std::vector<std::vector<int>>* closed = nullptr);
 
-/// For each side half the cotangent of the opposite angle, in triangles of these lengths. O(n).
+/// For each side half the cotangent of the opposite angle, in triangles of these lengths. Throws InputError
+/// with the number of a triangle whose lengths leave it no area, as those of a needle of 1e-8 may. O(n).
 std::vector<double> half_cotangents(const IntrinsicTriangulation& triangulation);
 
 } // namespace tetrarch::mesh

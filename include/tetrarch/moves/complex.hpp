@@ -149,17 +149,13 @@ public:
   void note_split(EdgeId whole, EdgeId part) { change_.split_edges.emplace_back(whole, part); }
   void set_link(VertexId v, LinkKind link) { vertices_[index(v.value)].link = link; }
   void set_boundary(EdgeId e, bool boundary) { edges_[index(e.value)].boundary = boundary; }
-  /// A number that an algorithm may leave on a tetrahedron and must set back to 0.
-  int mark(int tet) const { return tets_[index(tet)].mark; }
-  void set_mark(int tet, int mark) const { tets_[index(tet)].mark = mark; }
 
 private:
-  struct Tet {
+  struct alignas(64) Tet {
     std::array<int, 4> across; ///< -1: boundary
     std::array<Perm4, 4> perm;
     std::array<int, 4> vertex; ///< -1 in an empty slot
     std::array<int, 6> edge;
-    mutable int mark;
   };
   static_assert(sizeof(Tet) == 64, "one cache line");
   struct VertexClass {

@@ -12,13 +12,15 @@
 ///
 /// Source: the Verdict library, which uses the middle too (Stimpson et al., Sandia report SAND2007-1751).
 
+#include "tetrarch/numeric/vector.hpp"
+
 #include <array>
 #include <cstddef>
 #include <vector>
 
 namespace tetrarch::product {
 
-using Point = std::array<double, 3>;
+using numeric::Point;
 using Hexahedron = std::array<int, 8>;
 
 /// Hexahedra with coordinates.

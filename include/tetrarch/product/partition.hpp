@@ -14,6 +14,8 @@
 
 #include "tetrarch/product/solid.hpp"
 
+#include <optional>
+#include <string>
 #include <vector>
 
 namespace tetrarch::product {
@@ -31,11 +33,21 @@ struct Partition {
   int holes() const { return walls - 1; }
 };
 
+/// A partition, or why there is none.
+struct PartitionAttempt {
+  std::optional<Partition> partition;
+  std::string why_not; ///< empty where there is one
+};
+
 /// The partition whose bases are the triangles of base 0 (floor) and of base 1 (ceiling); all others, -1, are
-/// walls, numbered as above, with the wall through triangle `outer` first if that is not -1. Throws
-/// InputError that names the piece with the wrong topology and one of its triangles by vertices (counted from
-/// 0), or another fault: bases that touch or are of different types, walls that are no cylinders from floor
-/// to ceiling, a number of walls that the genus of the boundary forbids. O(n).
+/// walls, numbered as above, with the wall through triangle `outer` first if that is not -1. If they make
+/// none, the reason names the piece with the wrong topology and one of its triangles by vertices (counted
+/// from 0), or another fault: bases that touch or are of different types, walls that are no cylinders from
+/// floor to ceiling, a number of walls that the genus of the boundary forbids. O(n).
+[[nodiscard]] PartitionAttempt try_partition(const Solid& solid, const std::vector<int>& base,
+                                             int outer = -1);
+
+/// The same for bases from outside: throws InputError with the reason.
 Partition partition(const Solid& solid, const std::vector<int>& base, int outer = -1);
 
 /// Of each vertex of the mesh, which base it is on: floor_patch, ceiling_patch or -1. O(n).

@@ -22,8 +22,8 @@
 
 namespace tetrarch::product {
 
-/// A solid that is prepared for the field.
-struct Prepared {
+/// A solid in which no edge is a short cut between two vertices of the same base.
+struct SplitSolid {
   Solid solid;
   Partition partition;
   int splits = 0;
@@ -32,7 +32,7 @@ struct Prepared {
 /// Splits, in the middle, all edges that join two vertices of the same base but are not on this base. Without
 /// this, a tetrahedron with all vertices on one base would leave the field no room to rise. Old vertices keep
 /// their numbers. O(n log n).
-Prepared prepared(Solid solid, Partition partition);
+SplitSolid split_shortcuts(Solid solid, Partition partition);
 
 /// The height that keeps the floor's aspect ratio: h d' / d for walls of mean height h, and a floor whose rim
 /// has diameter d in space and d' in its map; 1 where the map was not found and has none. (The dissertation

@@ -12,13 +12,14 @@
 #include "tetrarch/core/triangulation.hpp"
 #include "tetrarch/mesh/surface.hpp"
 #include "tetrarch/mesh/tet_mesh.hpp"
+#include "tetrarch/numeric/vector.hpp"
 
 #include <array>
 #include <vector>
 
 namespace tetrarch::product {
 
-using Point = std::array<double, 3>;
+using numeric::Point;
 
 /// A mesh of a solid, with its gluings and its boundary.
 struct Solid {

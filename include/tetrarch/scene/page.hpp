@@ -4,7 +4,6 @@
 /// Self-contained pages to look at and turn around: a viewer (tools/viewer, bundled at build time) together
 /// with its content.
 ///
-///     Page          bodies in R^{3,1}, which the page bends into whatever model is chosen
 ///     TexturePage   a surface beside its image in a domain, both with the same pattern:
 ///
 ///                       .-----------.   .-----------.
@@ -15,13 +14,11 @@
 ///
 ///                   or the boundary of a solid beside that of its domain, with fibers, a field, and patches
 
-#include "tetrarch/scene/body.hpp"
 #include "tetrarch/scene/scene.hpp"
 
 #include <optional>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 namespace tetrarch::scene {
@@ -31,12 +28,6 @@ struct InfoTable {
   std::string heading;
   std::vector<std::string> columns;
   std::vector<std::vector<std::string>> rows;
-};
-
-struct Page {
-  std::string title;
-  std::vector<InfoTable> tables;
-  std::vector<Body> bodies; ///< the first is shown first
 };
 
 /// Of each scene the first surface is shown, which must have texture coordinates, and the tubes as lines of
@@ -54,19 +45,13 @@ struct TexturePage {
   std::optional<double> v_by_u{};
 };
 
-/// What the page's script reads, as JSON: version 1 of "tetrarch view". Points are 32-bit floats in base 64.
-/// O(size); patches and arcs are cut to a chord error of 1/400 in the first copy, in the half space and the
-/// ball alike.
-std::string page_data(const Page& page);
-
-/// The same for texture pages: version 1 of "tetrarch texture". Each scene is moved and scaled into the unit
-/// ball, and has the triangles, texture coordinates, field and patches only where they differ from the
-/// surface's. O(size). Throws PreconditionError for scenes that break their rules (scene.hpp), or have no
-/// surface with textures.
+/// What the page's script reads, as JSON: version 1 of "tetrarch texture". Each scene is moved and scaled
+/// into the unit ball, and has the triangles, texture coordinates, field and patches only where they differ
+/// from the surface's. O(size). Throws PreconditionError for scenes that break their rules (scene.hpp), or
+/// have no surface with textures.
 std::string page_data(const TexturePage& page);
 
 /// The whole page: the viewer with the page's data in it.
-std::string write_page(const Page& page);
 std::string write_page(const TexturePage& page);
 
 /// The bundled viewers (tools/viewer), with TETRARCH_SCENE where the data go.

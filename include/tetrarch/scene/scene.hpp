@@ -15,6 +15,8 @@
 /// index out of range, lists of lengths that do not fit, numbers that are not finite, and normals that are
 /// not unit vectors (to a thousandth).
 
+#include "tetrarch/numeric/vector.hpp"
+
 #include <array>
 #include <cstdint>
 #include <string>
@@ -22,7 +24,7 @@
 
 namespace tetrarch::scene {
 
-using Point = std::array<double, 3>;
+using numeric::Point;
 
 /// In sRGB, as screens and painting programs count.
 struct Color {

@@ -15,11 +15,15 @@
 /// circles t is the angle; on a slit the angle is middle + half cos t, with t from 0 to pi on the bank
 /// toward the origin, so that the opened slit is run through counterclockwise.
 ///
+/// Everything is done in zeta = log z, where a ring of modulus 700 is a strip of that width, and where no
+/// curve is smaller than its offsets can tell. Maps keep 0 in its place, and infinity or the unit circle.
+///
 /// Circular domains are unique up to Moebius maps. Here the outer circle is the unit circle, the inner one
 /// has its center at 0, and the circle of the first slit its center on the positive real axis. Source: Yin,
 /// section 2.3.3, for the openings; Koebe's iteration for the rest.
 
 #include <complex>
+#include <cstddef>
 #include <vector>
 
 namespace tetrarch::slit {
@@ -44,15 +48,23 @@ struct Circle {
   double circularity = 0;
 };
 
+/// A closed curve in the plane of zeta = log z: its samples are center + offset. Around 0, offsets end a full
+/// turn above the first one.
+struct LogCurve {
+  std::complex<double> center;
+  std::vector<std::complex<double>> offset;
+
+  std::complex<double> at(std::size_t j) const { return center + offset[j]; }
+  std::size_t size() const { return offset.size(); }
+};
+
 /// By curve: the outer circle, the inner one, then the slits in their order.
-using Curves = std::vector<std::vector<std::complex<double>>>;
+using LogCurves = std::vector<LogCurve>;
 
 /// The circles that the slits become.
 struct CircularDomain {
   std::vector<Circle> circles;
-  Curves curves; ///< where the samples come to lie
-  /// Before the first opening, and after each of them.
-  std::vector<Curves> stages;
+  LogCurves curves; ///< where the samples come to lie
   int rounds = 0;
   double circularity = 0; ///< the greatest
   /// The part of the curves that the samples leave unresolved, relative: see `Periodic`.
@@ -72,7 +84,11 @@ struct CircularOptions {
 /// those of the last round. For n curves of N samples: O(n^2 N^2) a round, about 5 to 10 rounds.
 CircularDomain circular_domain(const SlitRing& ring, const CircularOptions& options = {});
 
-/// Curve k at any parameter. O(N log N) once, then O(1) each.
+/// The curves once the first `slits` slits are open, by so many samples of each curve: those of the ring
+/// itself for 0. Throws as above. O(n N^2) a slit.
+LogCurves opened_slits(const SlitRing& ring, const std::vector<int>& samples, std::size_t slits);
+
+/// The places z of curve k at any parameter. O(N log N) once, then O(1) each.
 std::vector<std::complex<double>> curve_at(const CircularDomain& domain, int curve,
                                            const std::vector<double>& t);
 

@@ -8,9 +8,10 @@
 ///      /____\        /______\  the triangle is flipped.
 ///
 /// A triangle with all corners on one loop is an *ear*. Slits and circles of cylinders have no room for it,
-/// so every map flattens it; ears are counted separately and enter no measure.
+/// so every map flattens it, and a round hole would have room for it on the wrong side only; ears are counted
+/// separately and enter no measure.
 
-#include "tetrarch/slit/slit_map.hpp"
+#include "tetrarch/slit/circular_map.hpp"
 
 #include <vector>
 
@@ -41,6 +42,10 @@ Distortion distortion_on_ring(const OneForms& forms, const SlitMap& map);
 /// Of a mesh whose vertices are laid into the plane. There are no ears.
 Distortion distortion_in_plane(const mesh::TriangleMesh& mesh,
                                const std::vector<std::complex<double>>& position);
+
+/// In a disk with round holes. Ears are those of the holes.
+Distortion distortion_in_disk(const mesh::TriangleMesh& mesh, const CircularMap& map);
+std::vector<char> ears_in_disk(const mesh::TriangleMesh& mesh, const CircularMap& map);
 
 /// Residuals, which should be 0.
 struct Residuals {

@@ -54,10 +54,10 @@ struct ScaledMetric {
   bool found = false; ///< whether the residual is below the tolerance and no triangle has broken down
 };
 
-/// Throws InputError where triangles have no area, unless there is a finite number for each vertex, and where
-/// no vertex is held, unless all curvatures add up to 2 pi times the Euler number (a round hole to -2 pi);
-/// PreconditionError unless the mesh is oriented. Such a metric need not exist: check `found`. One sparse
-/// factorization a step, in practice less than 10 steps.
+/// Throws InputError where triangles have no area, unless the numbers are finite, and where no vertex is
+/// held, unless all curvatures add up to 2 pi times the Euler number (a round hole to -2 pi);
+/// PreconditionError unless the mesh is oriented and there is a number for each vertex. Such a metric need
+/// not exist: check `found`. One sparse factorization a step, in practice less than 10 steps.
 [[nodiscard]] ScaledMetric scaled_metric(const mesh::TriangleMesh& mesh, const Curvatures& curvatures,
                                          const RicciOptions& options = {}, const Progress& progress = {});
 

@@ -15,18 +15,26 @@
 
 #include "tetrarch/slit/circular_map.hpp"
 
+#include <cstdint>
+
 namespace tetrarch::slit {
 
+/// Which triangles are to be set right: all, or only those that touch a slit or the circle that it becomes,
+/// where maps flip a few triangles even if no weight is negative.
+enum class Unflip : std::uint8_t { everywhere, at_slits };
+
+/// Never worse than it was before: of all drawings met, the one with the fewest flipped triangles is taken.
 struct Unflipped {
   int moved = 0;       ///< vertices
   double farthest = 0; ///< that one of them was moved: in the domain, whose outer radius is 1
-  int left = 0;        ///< triangles still flipped when the budget of sweeps was used up
+  int left = 0;        ///< triangles still flipped, or much narrower than in space
 };
 
 /// On the cylinder. Ears stay flat. O(n), and a little time for each vertex near an inverted triangle.
-Unflipped unflip_on_cylinder(const OneForms& forms, SlitMap& map);
+Unflipped unflip_on_cylinder(const OneForms& forms, SlitMap& map, Unflip which = Unflip::everywhere);
 /// On the ring, where edges are straight.
-Unflipped unflip_on_ring(const OneForms& forms, SlitMap& map);
-Unflipped unflip_in_disk(const mesh::TriangleMesh& mesh, CircularMap& map);
+Unflipped unflip_on_ring(const OneForms& forms, SlitMap& map, Unflip which = Unflip::everywhere);
+/// On circles other than the outer one ears stay as they are.
+Unflipped unflip_in_disk(const mesh::TriangleMesh& mesh, CircularMap& map, Unflip which = Unflip::everywhere);
 
 } // namespace tetrarch::slit

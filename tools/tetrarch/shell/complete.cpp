@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "complete.hpp"
 
-#include "tetrarch/census/manifold.hpp"
+#include "tetrarch/catalogue/manifold.hpp"
 #include "tetrarch/moves/log.hpp"
 
 #include <algorithm>
@@ -81,8 +81,8 @@ void add_files(std::set<std::string>& words, const std::string& begun) {
 }
 
 void add_census_names(std::set<std::string>& words) {
-  for (const int tetrahedra : census::stored_tables())
-    for (const census::Manifold& m : census::require_table(tetrahedra)) words.insert(m.name);
+  for (const int tetrahedra : catalogue::stored_tables())
+    for (const catalogue::Manifold& m : catalogue::require_table(tetrahedra)) words.insert(m.name);
 }
 
 void add_names(std::set<std::string>& words, const Values& values) {

@@ -138,7 +138,7 @@ Status Session::execute(const Parts& statement, const std::string& speaker) {
     std::cout << parsed.text << std::flush;
     return Status::done;
   }
-  const Done done = run_job(*parsed.job, &values_, speaker, defaults_.json ? &statement : nullptr);
+  const JobOutcome done = run_job(*parsed.job, &values_, speaker, defaults_.json ? &statement : nullptr);
   const std::string name = changes_value(statement) ? first_argument(words) : statement.name;
   if (name.empty() || is_failure(done.status)) return done.status;
   if (done.value != nullptr)

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+/// The classified manifolds: one record each, and the tables of them.
+///
+/// Orientable hyperbolic 3-manifolds of finite volume with non-empty compact geodesic boundary (and perhaps
+/// cusps), by the smallest number of tetrahedra that glue up to them. Numbers are kept as decimal texts of 30
+/// significant digits. Source: Frigerio, Martelli, Petronio, "Small hyperbolic 3-manifolds with geodesic
+/// boundary", Experimental Math. 13 (2004): 8 manifolds of two tetrahedra, 151 of three, 5,033 of four.
+
+#include "tetrarch/core/triangulation.hpp"
+
+#include <array>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace tetrarch::catalogue {
+
+/// A hyperbolic manifold of the census, with its invariants.
+struct Manifold {
+  std::string name; ///< "fmp3_17"; empty where no table gives one
+  int tetrahedra = 0;
+  std::string signature; ///< of the smallest geometric gluing, by ASCII order
+  std::string volume;
+  std::vector<std::array<std::string, 6>>
+      dihedral_angles;       ///< of from_signature(signature); edges 01,02,03,12,13,23
+  std::vector<int> boundary; ///< genera of the geodesic boundary components, decreasing
+  int cusps = 0;
+  int edges = 0; ///< edge classes of the gluing
+  std::string homology;
+  std::vector<std::string> cells;  ///< of the canonical decomposition
+  std::string canonical_signature; ///< of the canonical triangulation: the isometry signature
+  int symmetries = 0;              ///< order of the isometry group
+
+  /// "2", "3 + cusp": the boundary as people say it.
+  std::string boundary_text() const;
+  friend bool operator==(const Manifold&, const Manifold&) = default;
+};
+
+/// One entry of a table, as JSON in one line, without the number of tetrahedra; no "name" member where there
+/// is no name.
+std::string json_text(const Manifold& m);
+
+/// The order of names: by volume, boundary, canonical signature. Volumes that agree to 25 digits are equal.
+void sort_by_volume(std::vector<Manifold>& manifolds);
+
+/// The different volumes of manifolds that are sorted by volume, each with its multiplicity.
+struct VolumeCount {
+  std::string volume;
+  int manifolds = 0;
+};
+std::vector<VolumeCount> count_volumes(const std::vector<Manifold>& sorted);
+
+/// A table as the text of census/fmpN.json, one manifold a line. `read_table(write_table(t)) == t`.
+std::string write_table(int tetrahedra, const std::vector<Manifold>& manifolds);
+/// Throws InputError that names `source` and what is wrong.
+std::vector<Manifold> read_table(std::string_view text, const std::string& source);
+
+/// The text of the compiled-in table for this many tetrahedra; empty if there is none.
+std::string_view stored_table_text(int tetrahedra);
+/// The compiled-in table; empty if there is none. Parsed at the first call, which other threads wait for.
+const std::vector<Manifold>& stored_table(int tetrahedra);
+/// The same, but throws InputError that says which tables are stored if there is none.
+const std::vector<Manifold>& require_table(int tetrahedra);
+/// The numbers of tetrahedra for which there are tables, increasing.
+std::vector<int> stored_tables();
+/// Looks a name up in the compiled-in tables.
+std::optional<Manifold> find_by_name(std::string_view name);
+
+} // namespace tetrarch::catalogue

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+/// Canonical cells and isometries, from any triangulation: the structure is found, the cells are made, and
+/// the answer says what was done on the way.
+
+#include "tetrarch/canonical/canonize.hpp"
+#include "tetrarch/core/progress.hpp"
+#include "tetrarch/hyperbolic/search.hpp"
+#include "tetrarch/workshop/fields.hpp"
+#include "tetrarch/workshop/verdict.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+namespace tetrarch::format {
+struct Document;
+}
+
+namespace tetrarch::workshop {
+
+struct CanonicalOptions {
+  int attempts = hyperbolic::SearchOptions{}.attempts; ///< greatest number of triangulations to try
+  std::uint64_t seed = 1;
+};
+
+/// The cells of a manifold, or the sentence that says why there are none.
+struct Cells {
+  std::optional<canonical::Canonical> canonical;
+  std::string why_not;                                        ///< empty if the cells were found
+  hyperbolic::Outcome outcome = hyperbolic::Outcome::invalid; ///< of the search for a structure
+  double volume = 0;
+  int filled_spheres = 0; ///< boundary spheres that were filled with balls: the cells are of that manifold
+  std::size_t isometry_group_order = 0;
+
+  Verdict verdict() const;
+};
+
+/// Throws PreconditionError unless `tri` is a connected manifold of at least one tetrahedron; Stopped if the
+/// progress says so. Milliseconds for ten tetrahedra.
+Cells cells(const Triangulation& tri, const CanonicalOptions& options = {}, const Progress& progress = {});
+
+Rows rows_of(const Cells& found);
+/// The cells as a file keeps them. Throws PreconditionError if they were not found.
+format::Document document_of(const Cells& found);
+
+/// What is to be compared, and what the answer calls it.
+struct Compared {
+  const Triangulation& tri;
+  std::string name;
+};
+
+/// Whether two manifolds are isometric, with the isometry or the reason.
+struct Isometry {
+  canonical::IsometryAnswer answer;
+  const char* between = "canonical triangulations"; ///< or "triangulations given": what the map goes between
+  std::string from;                                 ///< signature of the first of these
+  int filled_spheres = 0;                           ///< in each manifold
+  std::string x, y;                                 ///< the names
+
+  Verdict verdict() const;
+};
+
+/// Both as for `cells`. Boundaries (spheres count) and first homology are compared first, then the
+/// triangulations themselves, then canonical cells.
+Isometry isometry(const Compared& x, const Compared& y, const CanonicalOptions& options = {},
+                  const Progress& progress = {});
+
+/// Some lines for people.
+std::string text_of(const Isometry& found);
+
+template <>
+const FieldList<Cells>& fields_of<Cells>();
+template <>
+const FieldList<Isometry>& fields_of<Isometry>();
+
+} // namespace tetrarch::workshop

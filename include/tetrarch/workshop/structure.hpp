@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+/// The hyperbolic structure of a manifold: found, measured and described in one call.
+///
+///     const Structure found = structure(tri);
+///     if (found.verdict() == Verdict::yes) use(found.search.structure.volume);
+
+#include "tetrarch/core/progress.hpp"
+#include "tetrarch/hyperbolic/cusp.hpp"
+#include "tetrarch/hyperbolic/search.hpp"
+#include "tetrarch/workshop/fields.hpp"
+#include "tetrarch/workshop/verdict.hpp"
+
+#include <cstdint>
+#include <vector>
+
+namespace tetrarch::format {
+struct Document;
+}
+
+namespace tetrarch::workshop {
+
+struct StructureOptions {
+  hyperbolic::Method method = hyperbolic::Method::newton;
+  bool as_given = false;                               ///< solve on the given triangulation and on no other
+  int attempts = hyperbolic::SearchOptions{}.attempts; ///< greatest number of triangulations to try
+  std::uint64_t seed = 1;
+};
+
+/// A structure, or why there is none. It owns all that it speaks of.
+struct Structure {
+  hyperbolic::Search search; ///< the structure and the triangulation that carries it
+  Skeleton skeleton;         ///< of that triangulation
+  std::vector<hyperbolic::Cusp> cusps;
+
+  Verdict verdict() const;
+};
+
+/// Throws PreconditionError unless `tri` is a connected manifold of at least one tetrahedron; Stopped if the
+/// progress says so. Milliseconds for ten tetrahedra, seconds for a hundred.
+Structure structure(const Triangulation& tri, const StructureOptions& options = {},
+                    const Progress& progress = {});
+
+/// What is printed of it: the outcome; the volume, edges, cusps and angles, or the reason.
+Rows rows_of(const Structure& found);
+
+/// The triangulation that carries the structure with its metric, as a file keeps it. Lengths of edges that
+/// run into a cusp are left out.
+format::Document document_of(const Structure& found);
+
+template <>
+const FieldList<Structure>& fields_of<Structure>();
+
+} // namespace tetrarch::workshop

@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "tetrarch/catalogue/manifold.hpp"
+
+#include "tables.hpp"
+#include "tetrarch/core/error.hpp"
+#include "tetrarch/core/signature.hpp"
+#include "tetrarch/numeric/real50.hpp"
+
+#include <algorithm>
+#include <array>
+#include <mutex>
+#include <nlohmann/json.hpp>
+
+namespace tetrarch::catalogue {
+namespace {
+
+/// Tables of more are not looked for.
+constexpr int most_tetrahedra = 9;
+
+using numeric::Real50;
+using Json = nlohmann::ordered_json;
+
+constexpr std::string_view format_tag = "tetrarch-census";
+constexpr int format_version = 1;
+
+/// Volumes are known to 30 digits; different ones of few tetrahedra differ by 1e-6 and more.
+const Real50& equal_volumes() {
+  static const Real50 margin("1e-25");
+  return margin;
+}
+
+bool same_volume(const std::string& a, const std::string& b) {
+  return abs(Real50(a) - Real50(b)) < equal_volumes();
+}
+
+Manifold from_json(const Json& j, int tetrahedra) {
+  Manifold m;
+  m.name = j.value("name", "");
+  m.tetrahedra = tetrahedra;
+  m.signature = j.at("signature");
+  m.volume = j.at("volume");
+  m.boundary = j.at("boundary").get<std::vector<int>>();
+  m.cusps = j.at("cusps");
+  m.edges = j.at("edges");
+  m.homology = j.at("homology");
+  m.cells = j.at("cells").get<std::vector<std::string>>();
+  m.canonical_signature = j.at("canonical_signature");
+  m.symmetries = j.at("symmetries");
+  m.dihedral_angles = j.at("dihedral_angles").get<std::vector<std::array<std::string, 6>>>();
+  if (from_signature(m.signature).size() != tetrahedra ||
+      static_cast<int>(m.dihedral_angles.size()) != tetrahedra)
+    throw InputError("'" + m.signature + "' does not have " + std::to_string(tetrahedra) + " tetrahedra");
+  return m;
+}
+
+Json parse(std::string_view text, const std::string& source) {
+  try {
+    return Json::parse(text);
+  } catch (const Json::parse_error& e) {
+    const auto line = 1 + std::count(text.begin(), text.begin() + std::min(e.byte, text.size()), '\n');
+    throw InputError({source, static_cast<int>(line)}, "the text is not JSON, or it ends too early");
+  }
+}
+
+Json to_json(const Manifold& m) {
+  Json j;
+  if (!m.name.empty()) j["name"] = m.name;
+  j["signature"] = m.signature;
+  j["volume"] = m.volume;
+  j["boundary"] = m.boundary;
+  j["cusps"] = m.cusps;
+  j["edges"] = m.edges;
+  j["homology"] = m.homology;
+  j["cells"] = m.cells;
+  j["canonical_signature"] = m.canonical_signature;
+  j["symmetries"] = m.symmetries;
+  j["dihedral_angles"] = m.dihedral_angles;
+  return j;
+}
+
+} // namespace
+
+std::string json_text(const Manifold& m) {
+  return to_json(m).dump();
+}
+
+std::string Manifold::boundary_text() const {
+  std::string text;
+  for (const int genus : boundary) text += (text.empty() ? "genus " : " + genus ") + std::to_string(genus);
+  if (cusps > 0) text += " + " + std::to_string(cusps) + (cusps == 1 ? " cusp" : " cusps");
+  return text;
+}
+
+void sort_by_volume(std::vector<Manifold>& manifolds) {
+  std::vector<std::pair<Real50, std::size_t>> order;
+  for (std::size_t k = 0; k < manifolds.size(); ++k) order.emplace_back(Real50(manifolds[k].volume), k);
+  std::sort(order.begin(), order.end());
+  std::vector<int> rank(manifolds.size(), 0); // of the volume among the different ones
+  for (std::size_t k = 1; k < order.size(); ++k)
+    rank[order[k].second] =
+        rank[order[k - 1].second] + (order[k].first - order[k - 1].first < equal_volumes() ? 0 : 1);
+  std::sort(order.begin(), order.end(), [&](const auto& x, const auto& y) {
+    const Manifold& a = manifolds[x.second];
+    const Manifold& b = manifolds[y.second];
+    return std::tie(rank[x.second], a.boundary, a.cusps, a.canonical_signature) <
+           std::tie(rank[y.second], b.boundary, b.cusps, b.canonical_signature);
+  });
+  std::vector<Manifold> sorted;
+  sorted.reserve(manifolds.size());
+  for (const auto& entry : order) sorted.push_back(std::move(manifolds[entry.second]));
+  manifolds = std::move(sorted);
+}
+
+std::vector<VolumeCount> count_volumes(const std::vector<Manifold>& sorted) {
+  std::vector<VolumeCount> counts;
+  for (const Manifold& m : sorted) {
+    if (counts.empty() || !same_volume(counts.back().volume, m.volume)) counts.push_back({m.volume, 0});
+    ++counts.back().manifolds;
+  }
+  return counts;
+}
+
+std::string write_table(int tetrahedra, const std::vector<Manifold>& manifolds) {
+  std::string text = "{\n  \"format\": \"" + std::string(format_tag) +
+                     "\",\n  \"version\": " + std::to_string(format_version) +
+                     ",\n  \"tetrahedra\": " + std::to_string(tetrahedra) + ",\n  \"manifolds\": [";
+  for (std::size_t k = 0; k < manifolds.size(); ++k)
+    text += (k > 0 ? ",\n    " : "\n    ") + json_text(manifolds[k]);
+  return text + "\n  ]\n}\n";
+}
+
+std::vector<Manifold> read_table(std::string_view text, const std::string& source) {
+  const Json j = parse(text, source);
+  std::vector<Manifold> manifolds;
+  try {
+    if (j.at("format") != format_tag || j.at("version") != format_version)
+      throw InputError("this is no census table of version " + std::to_string(format_version));
+    const int tetrahedra = j.at("tetrahedra");
+    for (const Json& entry : j.at("manifolds")) manifolds.push_back(from_json(entry, tetrahedra));
+  } catch (const Json::exception& e) {
+    throw InputError({source, 0}, "manifold " + std::to_string(manifolds.size()) + ": " + e.what());
+  } catch (const InputError& e) {
+    throw InputError({source, 0}, "manifold " + std::to_string(manifolds.size()) + ": " + e.what());
+  }
+  return manifolds;
+}
+
+std::string_view stored_table_text(int tetrahedra) {
+  const std::string wanted = "\"tetrahedra\": " + std::to_string(tetrahedra) + ",";
+  for (const std::string_view text : detail::embedded_tables())
+    if (text.substr(0, text.find("\"manifolds\"")).find(wanted) != std::string_view::npos) return text;
+  return {};
+}
+
+const std::vector<Manifold>& stored_table(int tetrahedra) {
+  static std::array<std::once_flag, most_tetrahedra + 1> is_read;
+  static std::array<std::vector<Manifold>, most_tetrahedra + 1> tables; // the first stays empty
+  const int n = tetrahedra > most_tetrahedra ? 0 : std::max(tetrahedra, 0);
+  std::call_once(is_read[n], [n] {
+    const std::string_view text = stored_table_text(n);
+    if (!text.empty()) tables[n] = read_table(text, "census table of " + std::to_string(n) + " tetrahedra");
+  });
+  return tables[n];
+}
+
+std::vector<int> stored_tables() {
+  std::vector<int> found;
+  for (int n = 1; n <= most_tetrahedra; ++n)
+    if (!stored_table_text(n).empty()) found.push_back(n);
+  return found;
+}
+
+const std::vector<Manifold>& require_table(int tetrahedra) {
+  const std::vector<Manifold>& table = stored_table(tetrahedra);
+  if (!table.empty()) return table;
+  std::string stored;
+  for (const int n : stored_tables()) stored += (stored.empty() ? "" : ", ") + std::to_string(n);
+  throw InputError("no census table of " + std::to_string(tetrahedra) +
+                   " tetrahedra is stored (stored: " + (stored.empty() ? "none" : stored) + ")");
+}
+
+std::optional<Manifold> find_by_name(std::string_view name) {
+  for (const int n : stored_tables()) {
+    if (name.substr(0, 5) != "fmp" + std::to_string(n) + "_") continue;
+    for (const Manifold& m : stored_table(n))
+      if (m.name == name) return m;
+  }
+  return std::nullopt;
+}
+
+} // namespace tetrarch::catalogue

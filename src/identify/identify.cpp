@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "tetrarch/identify/identify.hpp"
+
+#include "famous.hpp"
+#include "tetrarch/canonical/canonize.hpp"
+#include "tetrarch/core/boundary.hpp"
+#include "tetrarch/hyperbolic/search.hpp"
+#include "tetrarch/identify/recognise.hpp"
+#include "tetrarch/moves/simplify.hpp"
+
+#include <array>
+#include <charconv>
+#include <unordered_map>
+#include <utility>
+
+namespace tetrarch::identify {
+namespace {
+
+using By = Identification::By;
+
+struct Known {
+  std::string name;
+  std::optional<catalogue::Manifold> manifold;
+};
+
+/// By isometry signature. Built at the first call, which other threads wait for.
+const std::unordered_map<std::string, Known>& known_manifolds() {
+  static const auto known = [] {
+    std::unordered_map<std::string, Known> all;
+    for (const detail::Famous& f : detail::famous)
+      all.emplace(f.isometry_signature, Known{std::string(f.name), {}});
+    for (const int n : catalogue::stored_tables())
+      for (const catalogue::Manifold& m : catalogue::stored_table(n))
+        all.emplace(m.canonical_signature, Known{m.name.empty() ? m.signature : m.name, m});
+    return all;
+  }();
+  return known;
+}
+
+/// The number of tetrahedra of the last one.
+int largest_table() {
+  const std::vector<int> tables = catalogue::stored_tables();
+  return tables.empty() ? 0 : tables.back();
+}
+
+/// 20000 as "20,000".
+std::string grouped(int n) {
+  std::string text = std::to_string(n);
+  for (int at = static_cast<int>(text.size()) - 3; at > 0; at -= 3)
+    text.insert(static_cast<std::size_t>(at), ",");
+  return text;
+}
+
+std::string tetrahedra(int n) {
+  return grouped(n) + (n == 1 ? " tetrahedron" : " tetrahedra");
+}
+
+std::string volume_text(double volume) {
+  std::array<char, 40> buffer{};
+  constexpr int decimals = 10;
+  const auto end =
+      std::to_chars(buffer.data(), buffer.data() + buffer.size(), volume, std::chars_format::fixed, decimals);
+  return {buffer.data(), end.ptr};
+}
+
+class Identifier {
+public:
+  Identifier(const Triangulation& given, const IdentifyOptions& options, const Progress& progress)
+      : given_(given), options_(options), progress_(progress) {}
+
+  Identification run() {
+    hyperbolic::SearchOptions search;
+    search.seed = options_.seed;
+    search.attempts = options_.attempts;
+    const hyperbolic::Search found = find_structure(given_, search, progress_);
+    say_how_simplified(found.triangulation);
+    say(describe(found));
+    if (found.structure.outcome == hyperbolic::Outcome::geometric) {
+      say_what_was_filled();
+      by_structure(found);
+    } else {
+      by_recognition();
+    }
+    return std::move(out_);
+  }
+
+private:
+  void say(std::string sentence) { out_.tried.push_back(std::move(sentence)); }
+
+  void say_how_simplified(const Triangulation& to) {
+    if (to.size() < given_.size())
+      say("simplified from " + grouped(given_.size()) + " to " + tetrahedra(to.size()));
+  }
+
+  void say_what_was_filled() {
+    int spheres = 0;
+    for (const BoundaryComponent& b : boundary_components(given_, Skeleton(given_)))
+      spheres += b.type.is_sphere();
+    if (spheres > 0)
+      say(std::to_string(spheres) + (spheres == 1 ? " boundary sphere was" : " boundary spheres were") +
+          " filled in: the structure is that of the filled manifold");
+  }
+
+  void by_structure(const hyperbolic::Search& found) {
+    out_.volume = found.structure.volume;
+    out_.triangulation = found.triangulation;
+    canonical::CanonizeOptions how;
+    how.seed = options_.seed;
+    canonical::Canonical cells = canonical::canonize(found.triangulation, found.structure, how, progress_);
+    if (cells.outcome != canonical::Canonical::Outcome::canonical) {
+      say("no canonical decomposition was found after " + std::to_string(cells.restarts) +
+          " changes of the triangulation, so there is no isometry signature to look up: volume " +
+          volume_text(*out_.volume));
+      return;
+    }
+    out_.confirmed_only = cells.has_flat_faces;
+    look_up(std::move(cells.isometry_signature));
+  }
+
+  void look_up(std::string isometry_signature) {
+    const auto entry = known_manifolds().find(isometry_signature);
+    if (entry == known_manifolds().end()) {
+      say("isometry signature " + isometry_signature + " is in no table: volume " +
+          volume_text(*out_.volume) + ", tables hold manifolds with geodesic boundary of up to " +
+          tetrahedra(largest_table()) + " and " + std::to_string(detail::famous.size()) + " cusped ones");
+    } else {
+      out_.by = By::isometry_signature;
+      out_.name = entry->second.name;
+      out_.manifold = entry->second.manifold;
+      say("isometry signature " + isometry_signature + " is that of " + out_.name);
+    }
+    if (out_.confirmed_only)
+      say("a face of the canonical decomposition is flat to 30 digits of 60, which is not a proof: the "
+          "isometry "
+          "signature rests on it");
+    out_.isometry_signature = std::move(isometry_signature);
+  }
+
+  void by_recognition() {
+    moves::SimplifyOptions how;
+    how.seed = options_.seed;
+    out_.triangulation = moves::simplified(given_, how, progress_);
+    const Recognition seen = recognise(out_.triangulation, progress_);
+    out_.name = seen.name;
+    if (seen.by == Recognition::By::triangulation) out_.by = By::triangulation;
+    if (seen.by == Recognition::By::group) out_.by = By::group;
+    say((seen ? seen.name + ": " : "not recognised: ") + seen.because);
+  }
+
+  const Triangulation& given_;
+  const IdentifyOptions& options_;
+  const Progress& progress_;
+  Identification out_;
+};
+
+} // namespace
+
+std::string to_string(Identification::By by) {
+  switch (by) {
+  case By::isometry_signature:
+    return "isometry signature";
+  case By::triangulation:
+    return "triangulation";
+  case By::group:
+    return "group";
+  case By::nothing:
+    break;
+  }
+  return "nothing";
+}
+
+Identification identify(const Triangulation& tri, const IdentifyOptions& options, const Progress& progress) {
+  return Identifier(tri, options, progress).run();
+}
+
+} // namespace tetrarch::identify

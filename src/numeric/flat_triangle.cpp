@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "tetrarch/numeric/flat_triangle.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tetrarch::numeric {
+
+using Complex = std::complex<double>;
+
+FlatTriangle laid_flat(const std::vector<Point>& points, const std::array<int, 3>& corners) {
+  Vector a = points[corners[1]] - points[corners[0]];
+  Vector b = points[corners[2]] - points[corners[0]];
+  // Squares of tiny edges underflow; powers of two change no digit.
+  double size = 0;
+  for (std::size_t k = 0; k < 3; ++k) size = std::max({size, std::abs(a[k]), std::abs(b[k])});
+  const int power = size > 0 && std::isfinite(size) ? std::ilogb(size) : 0;
+  for (auto* const e : {&a, &b})
+    for (std::size_t k = 0; k < 3; ++k) (*e)[k] = std::ldexp((*e)[k], -power);
+  const double base = length(a);
+  const double area = length(cross(a, b));
+  return {
+      0.0, std::ldexp(base, power), {std::ldexp(dot(a, b) / base, power), std::ldexp(area / base, power)}};
+}
+
+double twice_area(const FlatTriangle& p) {
+  return cross(p[1] - p[0], p[2] - p[0]);
+}
+
+double longest_squared(const FlatTriangle& p) {
+  return std::max({std::norm(p[1] - p[0]), std::norm(p[2] - p[1]), std::norm(p[0] - p[2])});
+}
+
+double nearest_part(Complex from, Complex to, Complex z) {
+  const Complex side = to - from;
+  const double square = std::norm(side);
+  return square > 0 ? std::clamp((std::conj(side) * (z - from)).real() / square, 0.0, 1.0) : 0.0;
+}
+
+double ratio_of_axes(const FlatTriangle& p, const FlatTriangle& q) {
+  // q = forward z + backward conj(z), up to a common factor and the translation.
+  const Complex z1 = p[1] - p[0];
+  const Complex z2 = p[2] - p[0];
+  const Complex w1 = q[1] - q[0];
+  const Complex w2 = q[2] - q[0];
+  const double forward = std::abs(w1 * std::conj(z2) - w2 * std::conj(z1));
+  const double backward = std::abs(z1 * w2 - z2 * w1);
+  // Beyond this ratio the difference is a rounding error, of either sign.
+  constexpr double flattest = 1e12;
+  return forward + backward < flattest * (forward - backward) ? (forward + backward) / (forward - backward)
+                                                              : 0.0;
+}
+
+} // namespace tetrarch::numeric

@@ -1,0 +1,293 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "tetrarch/workshop/canonical.hpp"
+
+#include "tetrarch/algebra/homology.hpp"
+#include "tetrarch/core/boundary.hpp"
+#include "tetrarch/core/error.hpp"
+#include "tetrarch/core/signature.hpp"
+#include "tetrarch/format/document.hpp"
+#include "tetrarch/numeric/union_find.hpp"
+#include "tetrarch/workshop/text.hpp"
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+
+namespace tetrarch::workshop {
+namespace {
+
+using canonical::Canonical;
+using canonical::IsometryAnswer;
+using hyperbolic::Outcome;
+
+/// The boundary of what was given, with the boundary spheres that `find_structure` fills.
+struct Boundary {
+  std::vector<std::string> types; ///< of its components, sorted
+  int spheres = 0;
+};
+
+Boundary boundary_of(const Triangulation& tri) {
+  Boundary found;
+  for (const BoundaryComponent& component : boundary_components(tri, Skeleton(tri))) {
+    found.types.push_back(component.type.str());
+    found.spheres += component.type.is_sphere();
+  }
+  std::sort(found.types.begin(), found.types.end());
+  return found;
+}
+
+hyperbolic::Search search_for(const Triangulation& tri, const CanonicalOptions& options,
+                              const Progress& progress) {
+  hyperbolic::SearchOptions search;
+  search.seed = options.seed;
+  search.attempts = options.attempts;
+  return find_structure(tri, search, progress);
+}
+
+Cells cells_in(const hyperbolic::Search& found, const CanonicalOptions& how, const Progress& progress) {
+  const auto& structure = found.structure;
+  Cells solved;
+  solved.outcome = structure.outcome;
+  solved.volume = structure.volume;
+  if (structure.outcome != Outcome::geometric) {
+    solved.why_not = describe(found);
+    return solved;
+  }
+  canonical::CanonizeOptions options;
+  options.seed = how.seed;
+  options.restarts = how.attempts;
+  solved.canonical = canonical::canonize(found.triangulation, structure, options, progress);
+  if (solved.canonical->outcome != Canonical::Outcome::canonical)
+    solved.why_not = "a face stays concave and no move mends it, after " +
+                     std::to_string(solved.canonical->restarts) + " changes of the triangulation";
+  return solved;
+}
+
+std::string filled_text(int spheres) {
+  return std::to_string(spheres) + ": the structure is that of the filled manifold";
+}
+
+std::string cell_summary(const std::vector<std::string>& cells) {
+  std::map<std::string, int> count;
+  for (const std::string& cell : cells) ++count[cell];
+  std::vector<std::string> items;
+  items.reserve(count.size());
+  for (const auto& [cell, n] : count) items.push_back(counted(n, cell));
+  return joined(items, ", ");
+}
+
+/// Tetrahedra with a flat face between them are parts of one cell; cells are numbered by their first one.
+format::CanonicalCells cells_of(const Canonical& c) {
+  std::vector<int> root(static_cast<std::size_t>(c.triangulation.size()));
+  std::iota(root.begin(), root.end(), 0);
+  for (int t = 0; t < c.triangulation.size(); ++t)
+    for (int f = 0; f < 4; ++f)
+      if (c.flat[t][f]) {
+        const int a = numeric::find_root(root, t);
+        const int b = numeric::find_root(root, c.triangulation.gluing({t, f}).tet);
+        root[std::max(a, b)] = std::min(a, b);
+      }
+  format::CanonicalCells result{c.cells, std::vector<int>(root.size()), c.flat, c.isometry_signature, {}};
+  int cells = 0;
+  for (int t = 0; t < c.triangulation.size(); ++t) {
+    const int first = numeric::find_root(root, t);
+    result.cell_of[t] = first == t ? cells++ : result.cell_of[first];
+  }
+  return result;
+}
+
+bool is_found(const Cells& c) {
+  return c.why_not.empty();
+}
+bool is_not_found(const Cells& c) {
+  return !is_found(c);
+}
+
+Tree tree_of(const Isomorphism& isometry) {
+  Tree perms = Tree::array();
+  for (const Perm4 p : isometry.perm) perms.push_back(p.str());
+  return {{"tetrahedra", isometry.tet}, {"vertices", perms}};
+}
+
+constexpr const char* given_triangulations = "triangulations given";
+
+IsometryAnswer told(IsometryAnswer::Verdict verdict, IsometryAnswer::Proof proof, std::string reason) {
+  IsometryAnswer answer;
+  answer.verdict = verdict;
+  answer.proof = proof;
+  answer.reason = std::move(reason);
+  return answer;
+}
+
+/// A proved no of invariants that need no structure.
+std::optional<IsometryAnswer> differ(const Triangulation& x, const Boundary& boundary_x,
+                                     const Triangulation& y, const Boundary& boundary_y) {
+  if (boundary_x.types != boundary_y.types) {
+    const auto named = [](const Boundary& b) {
+      return b.types.empty() ? std::string("none") : joined(b.types, ", ");
+    };
+    return told(IsometryAnswer::Verdict::not_isometric, IsometryAnswer::Proof::boundary,
+                "the boundaries differ: " + named(boundary_x) + " against " + named(boundary_y));
+  }
+  const auto h_x = algebra::homology(x, Skeleton(x), 1);
+  const auto h_y = algebra::homology(y, Skeleton(y), 1);
+  if (h_x == h_y) return std::nullopt;
+  return told(IsometryAnswer::Verdict::not_isometric, IsometryAnswer::Proof::homology,
+              "the first homology differs: " + h_x.str() + " against " + h_y.str());
+}
+
+/// Yes if the triangulations given are isomorphic, where the first is known to carry a structure.
+bool compare_given(const Triangulation& x, const Triangulation& y, Isometry& found) {
+  auto isometry = find_isomorphism(x, y);
+  if (!isometry) return false;
+  found.answer = told(IsometryAnswer::Verdict::isometric, IsometryAnswer::Proof::isomorphism,
+                      "the triangulations given are isomorphic");
+  found.answer.isometry = *std::move(isometry);
+  found.between = given_triangulations;
+  found.from = signature(x);
+  return true;
+}
+
+bool is_yes(const Isometry& i) {
+  return i.verdict() == Verdict::yes;
+}
+bool is_undecided(const Isometry& i) {
+  return i.verdict() == Verdict::undecided;
+}
+
+} // namespace
+
+Verdict Cells::verdict() const {
+  if (why_not.empty()) return Verdict::yes;
+  return outcome == Outcome::projective_plane ? Verdict::proved_no : Verdict::undecided;
+}
+
+Verdict Isometry::verdict() const {
+  if (answer.verdict == IsometryAnswer::Verdict::isometric) return Verdict::yes;
+  return answer.verdict == IsometryAnswer::Verdict::undecided ? Verdict::undecided : Verdict::proved_no;
+}
+
+Cells cells(const Triangulation& tri, const CanonicalOptions& options, const Progress& progress) {
+  const Boundary boundary = boundary_of(tri);
+  Cells found = cells_in(search_for(tri, options, progress), options, progress);
+  found.filled_spheres = boundary.spheres;
+  if (is_found(found)) found.isometry_group_order = isometry_group(*found.canonical).size();
+  return found;
+}
+
+Rows rows_of(const Cells& found) {
+  if (is_not_found(found)) return {{"outcome", "not found"}, {"reason", found.why_not}};
+  const Canonical& c = *found.canonical;
+  Rows rows{{"cells", cell_summary(c.cells)},
+            {"isometry signature", c.isometry_signature},
+            {"isometry group", "order " + std::to_string(found.isometry_group_order)},
+            {"tetrahedra", std::to_string(c.triangulation.size())},
+            {"smallest tilt", scientific(c.smallest_tilt, 3)},
+            {"volume", fixed(found.volume, 12)}};
+  if (found.filled_spheres > 0) rows.emplace_back("filled spheres", filled_text(found.filled_spheres));
+  return rows;
+}
+
+format::Document document_of(const Cells& found) {
+  if (!found.canonical) throw PreconditionError("document_of: there are no cells");
+  format::Document document = format::document_of(found.canonical->triangulation);
+  document.canonical = cells_of(*found.canonical);
+  return document;
+}
+
+Isometry isometry(const Compared& x, const Compared& y, const CanonicalOptions& options,
+                  const Progress& progress) {
+  const Boundary boundary_x = boundary_of(x.tri);
+  const Boundary boundary_y = boundary_of(y.tri);
+  Isometry found{
+      {}, "canonical triangulations", {}, std::max(boundary_x.spheres, boundary_y.spheres), x.name, y.name};
+  if (auto no = differ(x.tri, boundary_x, y.tri, boundary_y)) {
+    found.answer = *std::move(no);
+    return found;
+  }
+  const hyperbolic::Search search = search_for(x.tri, options, progress);
+  if (search.structure.outcome == Outcome::geometric && compare_given(x.tri, y.tri, found)) return found;
+  const Cells a = cells_in(search, options, progress);
+  const Cells b = cells_in(search_for(y.tri, options, progress), options, progress);
+  if (!a.why_not.empty())
+    found.answer.reason = x.name + ": " + a.why_not;
+  else if (!b.why_not.empty())
+    found.answer.reason = y.name + ": " + b.why_not;
+  else {
+    found.answer = compare(*a.canonical, *b.canonical);
+    found.from = signature(a.canonical->canonical_triangulation);
+  }
+  return found;
+}
+
+std::string text_of(const Isometry& found) {
+  const bool yes = is_yes(found);
+  const char* const word = yes ? "isometric" : is_undecided(found) ? "undecided" : "not isometric";
+  std::string text = std::string(word) + ": " + found.answer.reason + "\n";
+  if (!yes) return text;
+  if (found.filled_spheres > 0)
+    text += "filled spheres: " + std::to_string(found.filled_spheres) +
+            " in each; the isometry is one of the filled manifolds\n";
+  text += std::string(found.between == given_triangulations ? "tetrahedra of " : "canonical tetrahedra of ") +
+          found.x + " go to those of " + found.y + ":\n";
+  const Isomorphism& isometry = found.answer.isometry;
+  for (std::size_t t = 0; t < isometry.tet.size(); ++t)
+    text += "  " + std::to_string(t) + " -> " + std::to_string(isometry.tet[t]) + ", vertices 0123 -> " +
+            isometry.perm[t].str() + "\n";
+  return text;
+}
+
+template <>
+const FieldList<Cells>& fields_of<Cells>() {
+  using C = const Cells&;
+  static const FieldList<Cells> fields{
+      {{"outcome", "", "canonical, or not found"},
+       [](C c) -> Tree { return is_found(c) ? "canonical" : "not found"; }},
+      {{"reason", "", "why there are no cells"}, [](C c) -> Tree { return c.why_not; }, is_not_found},
+      {{"cells", "", "the polyhedra, by their names"},
+       [](C c) -> Tree { return c.canonical->cells; },
+       is_found},
+      {{"isometry_signature", "", "a text that two manifolds share if and only if they are isometric"},
+       [](C c) -> Tree { return c.canonical->isometry_signature; },
+       is_found},
+      {{"isometry_group_order", "", "number of isometries of the manifold to itself"},
+       [](C c) -> Tree { return c.isometry_group_order; },
+       is_found},
+      {{"tetrahedra", "", "number of tetrahedra of the subdivided cells"},
+       [](C c) -> Tree { return c.canonical->triangulation.size(); },
+       is_found},
+      {{"flat_faces", "",
+        "whether cells other than tetrahedra occur, so that some faces inside them are flat"},
+       [](C c) -> Tree { return c.canonical->has_flat_faces; },
+       is_found},
+      {{"smallest_tilt", "", "of the faces between cells: how far the cells are from other ones"},
+       [](C c) -> Tree { return c.canonical->smallest_tilt; },
+       is_found},
+      {{"volume", "curvature -1", "the volume"}, [](C c) -> Tree { return c.volume; }, is_found},
+      {{"filled_spheres", "", "number of boundary spheres that were filled with balls"},
+       [](C c) -> Tree { return c.filled_spheres; }}};
+  return fields;
+}
+
+template <>
+const FieldList<Isometry>& fields_of<Isometry>() {
+  using I = const Isometry&;
+  static const FieldList<Isometry> fields{
+      {{"isometric", "", "true or false, both proved; null: undecided"},
+       [](I i) { return is_undecided(i) ? Tree() : Tree(is_yes(i)); }},
+      {{"reason", "", "what decides, or what is missing"}, [](I i) -> Tree { return i.answer.reason; }},
+      {{"proof", "", "which kind of proof; null: undecided"},
+       [](I i) { return is_undecided(i) ? Tree() : Tree(to_string(i.answer.proof)); }},
+      {{"filled_spheres", "", "number of boundary spheres filled with balls in each"},
+       [](I i) -> Tree { return i.filled_spheres; }},
+      {{"isometry", "", "for each tetrahedron its image, and where its vertices go"},
+       [](I i) { return tree_of(i.answer.isometry); },
+       is_yes},
+      {{"between", "", "which triangulations the isometry goes between"},
+       [](I i) -> Tree { return i.between; },
+       is_yes},
+      {{"from", "", "signature of the first of them"}, [](I i) -> Tree { return i.from; }, is_yes}};
+  return fields;
+}
+
+} // namespace tetrarch::workshop

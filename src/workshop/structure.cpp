@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "tetrarch/workshop/structure.hpp"
+
+#include "tetrarch/core/error.hpp"
+#include "tetrarch/core/signature.hpp"
+#include "tetrarch/format/document.hpp"
+#include "tetrarch/workshop/text.hpp"
+
+#include <array>
+#include <cmath>
+
+namespace tetrarch::workshop {
+namespace {
+
+using hyperbolic::Outcome;
+
+/// The word users see first; `reason` keeps the finer one.
+std::string outcome_word(Outcome outcome) {
+  if (outcome == Outcome::geometric) return "geometric";
+  if (outcome == Outcome::projective_plane) return "not hyperbolic";
+  return "not found";
+}
+
+bool is_geometric(const Structure& s) {
+  return s.search.structure.outcome == Outcome::geometric;
+}
+bool is_not_geometric(const Structure& s) {
+  return !is_geometric(s);
+}
+
+/// An end of the edge lies in a cusp: its length depends on the horosphere there.
+bool into_a_cusp(const Skeleton& skeleton, const Table<VertexId, hyperbolic::VertexType>& types, EdgeId e) {
+  const auto [p, q] = skeleton.ends(e);
+  return types[p] == hyperbolic::VertexType::ideal || types[q] == hyperbolic::VertexType::ideal;
+}
+
+std::string describe(const hyperbolic::Cusp& cusp) {
+  const char* surface = cusp.orientable ? "torus, shape " : "Klein bottle, covered by a torus of shape ";
+  const std::string real = fixed(cusp.shape.real(), 10);
+  return surface + (real == "-0.0000000000" ? real.substr(1) : real) + " + " + fixed(cusp.shape.imag(), 10) +
+         " i";
+}
+
+Tree tree_of(const hyperbolic::Cusp& cusp) {
+  return {{"vertex", cusp.vertex.value},
+          {"type", cusp.orientable ? "torus" : "Klein bottle"},
+          {"shape", std::array{cusp.shape.real(), cusp.shape.imag()}},
+          {"area", cusp.area},
+          {"residual", cusp.residual}};
+}
+
+/// Half of the last digit that a volume is printed with: a larger bound of its error is printed too.
+constexpr double last_digit_of_volume = 5e-13;
+
+/// Whose structure it is, where that is not the manifold given.
+std::string filling(int spheres) {
+  return spheres == 1
+             ? "1 boundary sphere is filled with a ball: this is another manifold than the given one"
+             : std::to_string(spheres) +
+                   " boundary spheres are filled with balls: this is another manifold than the given one";
+}
+
+Rows no_structure(const hyperbolic::Search& search, const Skeleton& skeleton) {
+  const auto& found = search.structure;
+  return {{"outcome", outcome_word(found.outcome)},
+          {"reason", hyperbolic::describe(found, skeleton)},
+          {"tried", hyperbolic::describe(search)},
+          {"residual", scientific(found.residual, 1)},
+          {"iterations", std::to_string(found.iterations)}};
+}
+
+void add_edges(const hyperbolic::Metric<double>& lengths, const Skeleton& skeleton, Rows& rows) {
+  const auto types = hyperbolic::vertex_types(skeleton);
+  for (const EdgeId e : all<EdgeId>(lengths.size()))
+    rows.emplace_back("edge " + std::to_string(e.value),
+                      "length " + fixed(lengths[e], 10) +
+                          (into_a_cusp(skeleton, types, e) ? " to the horosphere" : "") + ", valence " +
+                          std::to_string(skeleton.valence(e)));
+}
+
+Tree edges_into_cusps(const Structure& s) {
+  const auto types = hyperbolic::vertex_types(s.skeleton);
+  Tree edges = Tree::array();
+  for (const EdgeId e : all<EdgeId>(s.search.structure.lengths.size()))
+    if (into_a_cusp(s.skeleton, types, e)) edges.push_back(e.value);
+  return edges;
+}
+
+Tree cusps_tree(const Structure& s) {
+  Tree list = Tree::array();
+  for (const auto& cusp : s.cusps) list.push_back(tree_of(cusp));
+  return list;
+}
+
+Tree error_of_volume(const Structure& s) {
+  const double error = s.search.structure.volume_error;
+  return is_geometric(s) && std::isfinite(error) ? Tree(error) : Tree();
+}
+
+Tree lengths_of(const Structure& s) {
+  Tree list = Tree::array();
+  for (const double length : s.search.structure.lengths) list.push_back(length);
+  return list;
+}
+
+hyperbolic::Search solved_as_given(const Triangulation& tri) {
+  hyperbolic::Search found;
+  found.triangulation = tri;
+  found.attempts = 1;
+  return found;
+}
+
+/// The search with Newton's method; then, if that is asked for, the flow on the triangulation that it found.
+hyperbolic::Search solve(const Triangulation& tri, const StructureOptions& options,
+                         const Progress& progress) {
+  hyperbolic::SearchOptions how;
+  how.seed = options.seed;
+  how.attempts = options.as_given ? 1 : options.attempts;
+  hyperbolic::Search found = options.as_given ? solved_as_given(tri) : find_structure(tri, how, progress);
+  if (!options.as_given && options.method == hyperbolic::Method::newton) return found;
+  hyperbolic::HyperbolizeOptions once;
+  once.method = options.method;
+  found.structure =
+      hyperbolic::hyperbolize(found.triangulation, Skeleton(found.triangulation), once, progress);
+  if (found.structure.outcome == Outcome::stopped) throw Stopped();
+  if (options.as_given) ++found.seen[static_cast<std::size_t>(found.structure.outcome)];
+  return found;
+}
+
+} // namespace
+
+Verdict Structure::verdict() const {
+  const Outcome outcome = search.structure.outcome;
+  if (outcome == Outcome::geometric) return Verdict::yes;
+  return outcome == Outcome::projective_plane ? Verdict::proved_no : Verdict::undecided;
+}
+
+Structure structure(const Triangulation& tri, const StructureOptions& options, const Progress& progress) {
+  hyperbolic::Search search = solve(tri, options, progress);
+  Skeleton skeleton(search.triangulation);
+  Structure found{std::move(search), std::move(skeleton), {}};
+  if (is_geometric(found))
+    found.cusps =
+        hyperbolic::cusps(found.search.triangulation, found.skeleton, found.search.structure.lengths);
+  return found;
+}
+
+Rows rows_of(const Structure& s) {
+  const auto& found = s.search.structure;
+  Rows rows;
+  if (is_geometric(s)) {
+    rows = {{"outcome", hyperbolic::describe(s.search)},
+            {"signature", signature(s.search.triangulation)},
+            {"volume", fixed(found.volume, 12)}};
+    if (!(found.volume_error < last_digit_of_volume))
+      rows.emplace_back("error", "volume right to within " + scientific(found.volume_error, 1));
+    rows.emplace_back("residual", scientific(found.residual, 1));
+    rows.emplace_back("iterations", std::to_string(found.iterations));
+    add_edges(found.lengths, s.skeleton, rows);
+    for (const auto& cusp : s.cusps)
+      rows.emplace_back("cusp " + std::to_string(cusp.vertex.value), describe(cusp));
+    for (std::size_t t = 0; t < found.dihedral_angles.size(); ++t) {
+      std::vector<std::string> angles;
+      for (const double a : found.dihedral_angles[t]) angles.push_back(fixed(a, 10));
+      rows.emplace_back("angles " + std::to_string(t), joined(angles, " "));
+    }
+  } else {
+    rows = no_structure(s.search, s.skeleton);
+  }
+  const int spheres = s.search.filled_spheres;
+  if (spheres > 0) rows.insert(rows.begin() + 1, {"filled", filling(spheres)});
+  return rows;
+}
+
+format::Document document_of(const Structure& s) {
+  format::Document document = format::document_of(s.search.triangulation);
+  const auto& found = s.search.structure;
+  const auto types = hyperbolic::vertex_types(s.skeleton);
+  format::Metric metric;
+  for (int t = 0; t < document.triangulation.size(); ++t) {
+    metric.edge_lengths.emplace_back();
+    metric.dihedral_angles.emplace_back();
+    for (int e = 0; e < 6; ++e) {
+      const EdgeId edge = s.skeleton.edge({t, e});
+      if (!into_a_cusp(s.skeleton, types, edge))
+        metric.edge_lengths.back()[e] = format::Number(found.lengths[edge]);
+      metric.dihedral_angles.back()[e] = format::Number(found.dihedral_angles[t][e]);
+    }
+  }
+  metric.volume = format::Number(found.volume);
+  document.metric = std::move(metric);
+  return document;
+}
+
+template <>
+const FieldList<Structure>& fields_of<Structure>() {
+  using S = const Structure&;
+  static const FieldList<Structure> fields{
+      {{"outcome", "", "geometric, not hyperbolic (proved), or not found"},
+       [](S s) -> Tree { return outcome_word(s.search.structure.outcome); }},
+      {{"reason", "", "why there is no structure, in a word"},
+       [](S s) -> Tree { return hyperbolic::to_string(s.search.structure.outcome); },
+       is_not_geometric},
+      {{"explanation", "", "the same with its place"},
+       [](S s) -> Tree { return hyperbolic::describe(s.search.structure, s.skeleton); },
+       is_not_geometric},
+      {{"tried", "", "how structures were sought"},
+       [](S s) -> Tree { return hyperbolic::describe(s.search); },
+       is_not_geometric},
+      {{"volume", "curvature -1", "the volume; null without a structure"},
+       [](S s) { return is_geometric(s) ? Tree(s.search.structure.volume) : Tree(); }},
+      {{"volume_error", "curvature -1", "a bound of its error, given that the structure exists"},
+       error_of_volume},
+      {{"signature", "", "isomorphism signature of the triangulation that carries the structure"},
+       [](S s) -> Tree { return signature(s.search.triangulation); }},
+      {{"changed", "", "whether that is another triangulation than the given one"},
+       [](S s) -> Tree { return s.search.changed; }},
+      {{"filled_spheres", "", "number of boundary spheres that were filled with balls"},
+       [](S s) -> Tree { return s.search.filled_spheres; }},
+      {{"attempts", "", "number of triangulations tried"}, [](S s) -> Tree { return s.search.attempts; }},
+      {{"edge_lengths", "curvature -1", "length of each edge; of one into a cusp, to the horosphere there"},
+       lengths_of},
+      {{"dihedral_angles", "radians", "of each tetrahedron, at its edges 01, 02, 03, 12, 13, 23"},
+       [](S s) -> Tree { return s.search.structure.dihedral_angles; }},
+      {{"into_cusps", "", "numbers of the edges that run into a cusp"}, edges_into_cusps, is_geometric},
+      {{"cusps", "", "of each cusp its vertex, type, shape, the area of its cross-section, and a residual"},
+       cusps_tree,
+       is_geometric},
+      {{"residual", "radians", "greatest angle defect of an edge"},
+       [](S s) -> Tree { return s.search.structure.residual; }},
+      {{"iterations", "", "steps of the method"}, [](S s) -> Tree { return s.search.structure.iterations; }}};
+  return fields;
+}
+
+} // namespace tetrarch::workshop

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "tetrarch/catalogue/validate.hpp"
+
+#include "tetrarch/algebra/homology.hpp"
+#include "tetrarch/algebra/torsion.hpp"
+#include "tetrarch/core/error.hpp"
+#include "tetrarch/core/signature.hpp"
+#include "tetrarch/core/skeleton.hpp"
+
+#include <catch2/catch.hpp>
+#include <fstream>
+#include <map>
+#include <set>
+
+using namespace tetrarch;
+using namespace tetrarch::catalogue;
+
+TEST_CASE("the tables have the published counts", "[census]") {
+  // Frigerio, Martelli, Petronio, "Small hyperbolic 3-manifolds with geodesic boundary", 2004, tables 1 to 3.
+  const auto two = stored_table(2);
+  const auto three = stored_table(3);
+  REQUIRE(two.size() == 8);
+  REQUIRE(three.size() == 151);
+  CHECK(count_volumes(two).size() == 1);
+  CHECK(count_volumes(three).size() == 18);
+  int single_edge = 0;
+  int cusped = 0;
+  for (const Manifold& m : three) {
+    single_edge += m.edges == 1;
+    cusped += m.cusps;
+  }
+  CHECK(single_edge == 74);
+  CHECK(cusped == 1);
+}
+
+TEST_CASE("published volumes stand in the tables", "[census]") {
+  // FMP 2004: 6.451990 for two tetrahedra, 10.428602 for three regular ones.
+  CHECK(stored_table(2).front().volume.substr(0, 8) == "6.451990");
+  CHECK(stored_table(3).back().volume.substr(0, 9) == "10.428601");
+  CHECK(count_volumes(stored_table(3)).back().manifolds == 74);
+}
+
+TEST_CASE("the classification gives the stored bytes again, with one thread and with two", "[census]") {
+  for (const int n : {2, 3})
+    for (const int threads : {1, 2})
+      CHECK(write_table(n, classify_manifolds(n, threads).manifolds) == stored_table_text(n));
+}
+
+TEST_CASE("one tetrahedron makes no manifold with geodesic boundary", "[census]") {
+  CHECK(classify_manifolds(1).manifolds.empty()); // FMP 2004
+}
+
+TEST_CASE("four tetrahedra make 5,033 manifolds", "[census][slow]") {
+  // FMP 2004: 5,033 manifolds: 5,002 compact ones with boundary of genus 4, 3, 2 (2340 + 2034 + 628), 30 with
+  // one cusp and one with two; 262 volumes, counted as 252 of compact and 10 of cusped ones with one in both.
+  const Classification four = classify_manifolds(4, 2);
+  CHECK(four.manifolds.size() == 5033);
+  CHECK(count_volumes(four.manifolds).size() == 261);
+  CHECK(four.tally.stuck == 0);
+  int one_cusp = 0;
+  int two_cusps = 0;
+  std::map<int, int> genus;
+  for (const Manifold& m : four.manifolds) {
+    one_cusp += m.cusps == 1;
+    two_cusps += m.cusps == 2;
+    if (m.cusps == 0) ++genus[m.boundary.front()];
+  }
+  CHECK(one_cusp == 30);
+  CHECK(two_cusps == 1);
+  CHECK(genus == std::map<int, int>{{2, 628}, {3, 2034}, {4, 2340}});
+}
+
+TEST_CASE("chi(boundary) is 2 (E - T) for every stored gluing", "[census]") {
+  for (const int n : stored_tables()) {
+    for (const Manifold& m : stored_table(n)) {
+      const Triangulation tri = from_signature(m.signature);
+      int euler = 0;
+      for (const int genus : m.boundary) euler += 2 - 2 * genus;
+      CHECK(euler == 2 * (Skeleton(tri).edge_count() - n));
+    }
+  }
+}
+
+TEST_CASE("names are unique, and lead back to their manifold", "[census]") {
+  std::set<std::string> isometry;
+  for (const int n : stored_tables())
+    for (const Manifold& m : stored_table(n)) {
+      CHECK(find_by_name(m.name) == m);
+      CHECK(isometry.insert(m.canonical_signature).second);
+    }
+  CHECK_FALSE(find_by_name("fmp3_152"));
+  CHECK_FALSE(find_by_name("m004"));
+}
+
+TEST_CASE("a table survives writing and reading, and a broken one is refused", "[census]") {
+  const auto two = stored_table(2);
+  const std::string text = write_table(2, two);
+  CHECK(read_table(text, "x") == two);
+  CHECK_THROWS_AS(read_table(text.substr(0, text.size() / 2), "x"), InputError);
+  CHECK_THROWS_AS(read_table("{}", "x"), InputError);
+  std::string wrong = text;
+  wrong.replace(wrong.find("cMca"), 4, "c!ca");
+  CHECK_THROWS_WITH(read_table(wrong, "x.json"), Catch::Contains("x.json") && Catch::Contains("manifold 0"));
+}
+
+TEST_CASE("validation keeps rebuilt and re-solved apart", "[census]") {
+  const Validation v = validate(2);
+  CHECK(v.rebuilt);
+  CHECK(v.failures.empty());
+  CHECK(v.manifolds == 8);
+  CHECK(v.max_angle_error < 1e-10);
+  CHECK(v.max_angle_error_flow < 1e-9);
+  CHECK_THROWS_AS(validate(5), InputError);
+}
+
+TEST_CASE("Regina agrees about signature, homology, boundary and symmetries of every entry",
+          "[census][oracle]") {
+  std::ifstream lines(TETRARCH_SOURCE_DIR "/tests/oracle/regina_census.txt");
+  std::vector<std::string> recorded;
+  for (std::string line; std::getline(lines, line);)
+    if (!line.starts_with('#')) recorded.push_back(line);
+  std::vector<std::string> ours;
+  for (const int n : {2, 3}) {
+    for (const Manifold& m : stored_table(n)) {
+      std::string homology; // "Z^2 + Z/3" is Regina's "2 Z + Z_3", "Z^2 + Z/2 + Z/2" its "2 Z + 2 Z_2"
+      const Triangulation tri = from_signature(m.signature);
+      const algebra::AbelianGroup group = algebra::homology(tri, Skeleton(tri), 1);
+      CHECK(group.str() == m.homology);
+      std::map<algebra::Integer, int> orders;
+      for (const auto& order : group.torsion()) ++orders[order];
+      if (group.rank() > 0) homology = (group.rank() > 1 ? std::to_string(group.rank()) : "") + "Z";
+      for (const auto& [order, count] : orders)
+        homology +=
+            (homology.empty() ? "" : "+") + (count > 1 ? std::to_string(count) : "") + "Z_" + order.str();
+      std::string links;
+      for (const int genus : m.boundary) links += (links.empty() ? "" : ",") + std::to_string(2 - 2 * genus);
+      for (int k = 0; k < m.cusps; ++k) links += ",0";
+      ours.push_back(m.signature + "|" + homology + "|" + links + "|" + std::to_string(m.symmetries));
+    }
+  }
+  CHECK(ours == recorded);
+}

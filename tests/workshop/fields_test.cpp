@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "tetrarch/workshop/fields.hpp"
+
+#include "tetrarch/core/signature.hpp"
+#include "tetrarch/format/document.hpp"
+#include "tetrarch/workshop/canonical.hpp"
+#include "tetrarch/workshop/identify.hpp"
+#include "tetrarch/workshop/info.hpp"
+#include "tetrarch/workshop/structure.hpp"
+
+#include <catch2/catch.hpp>
+#include <set>
+#include <string>
+
+using namespace tetrarch;
+using namespace tetrarch::workshop;
+
+namespace {
+
+/// The laws of every list: names are unique words, meanings are there, and a result says nothing that the
+/// list does not name.
+template <class Result>
+void check_list(const Result& result) {
+  std::set<std::string> names;
+  for (const FieldNote& note : notes_of<Result>()) {
+    INFO(note.name);
+    CHECK(names.insert(note.name).second);
+    CHECK(std::string(note.name).find_first_not_of("abcdefghijklmnopqrstuvwxyz_0123456789") ==
+          std::string::npos);
+    CHECK(std::string(note.meaning).size() > 4);
+  }
+  CHECK(tree_of(result).size() <= names.size());
+  CHECK(tree_of(result).size() > 0);
+}
+
+} // namespace
+
+TEST_CASE("every result lists its fields once", "[workshop]") {
+  for (const char* name : {"cPcbbbihq", "cPcbbbiht", "dLQacccjcog"}) {
+    const Triangulation tri = from_signature(name);
+    check_list(info(tri));
+    check_list(structure(tri));
+    check_list(cells(tri));
+    check_list(isometry({tri, "x"}, {tri, "x"}));
+    check_list(identify::identify(tri));
+  }
+}
+
+TEST_CASE("a structure is found, or the answer says what kind of no it is", "[workshop]") {
+  // Yin, section 4.2.3: two regular truncated tetrahedra of angle pi/6.
+  const Structure knotted_y = structure(from_signature("cPcbbbihq"));
+  CHECK(knotted_y.verdict() == Verdict::yes);
+  CHECK(tree_of(knotted_y)["volume"].number() == Approx(6.451990270835).epsilon(0).margin(1e-12));
+  CHECK(knotted_y.cusps.empty());
+  CHECK(document_of(knotted_y).metric.has_value());
+
+  // One tetrahedron whose vertex links are projective planes: no structure, proved; a search that ends is not
+  // proved.
+  const Triangulation sphere = from_signature("bkaagb");
+  StructureOptions few;
+  few.attempts = 3;
+  const Structure none = structure(sphere, few);
+  CHECK(none.verdict() != Verdict::yes);
+  CHECK(tree_of(none)["volume"].is_null());
+  CHECK(tree_of(none)["outcome"].text() != "geometric");
+}
+
+TEST_CASE("a manifold is isometric to itself relabelled, and not to its sister", "[workshop]") {
+  const Triangulation figure_eight = from_signature("cPcbbbiht");
+  const Triangulation relabelled_one =
+      relabelled(figure_eight, {1, 0}, {Perm4::swap(0, 1), Perm4::swap(2, 3)});
+  CHECK(isometry({figure_eight, "a"}, {relabelled_one, "b"}).verdict() == Verdict::yes);
+  // The sister has Z + Z/5 for its first homology.
+  const Isometry no = isometry({figure_eight, "a"}, {from_signature("cPcbbbdxm"), "b"});
+  CHECK(no.verdict() == Verdict::proved_no);
+  CHECK(tree_of(no)["proof"].text() == "homology");
+  CHECK(text_of(no).find("Z + Z/5") != std::string::npos);
+}
+
+TEST_CASE("what has no field has no member", "[workshop]") {
+  const Tree tree = tree_of(info(from_signature("cPcbbbihq"), "", true));
+  CHECK(tree["signature"].is_null());
+  CHECK(tree["tetrahedra"].integer() == 2);
+  CHECK_THROWS(tree["name"]);
+}
