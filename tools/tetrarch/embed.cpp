@@ -227,7 +227,8 @@ Result run_embed(const Options& options, const Context& context) {
 
 Run declare_embed(OptionTable& table) {
   const auto o = std::make_shared<Options>();
-  table.add("X", o->input, "a hyperbolic manifold; the structure is found first, as by hyperbolize").required();
+  table.add("X", o->input, "a hyperbolic manifold; the structure is found first, as by hyperbolize")
+      .required();
   table
       .add("-o,--output", o->outputs,
            "write a picture: .glb, .ply, .obj or .vtu; .svg for the circles at infinity or the tiling of a "
