@@ -57,11 +57,11 @@ void check_law(const format::Soup& soup) {
   const Report before = validate_surface(soup);
   const Repaired once = repair(soup);
   const Report after = validate_surface(once.soup);
-  // Pinched vertices are split and components turned that are inside out; both are no repairable findings, for
-  // a mesh may be used as it is, or may not be used at all.
-  CHECK(once.done.empty() == (before.count(Severity::repairable) == 0 &&
-                              before.count(Kind::non_manifold_vertex) == 0 &&
-                              before.count(Kind::inside_out) == 0));
+  // Pinched vertices are split and components turned that are inside out; both are no repairable findings,
+  // for a mesh may be used as it is, or may not be used at all.
+  CHECK(once.done.empty() ==
+        (before.count(Severity::repairable) == 0 && before.count(Kind::non_manifold_vertex) == 0 &&
+         before.count(Kind::inside_out) == 0));
   CHECK(after.count(Kind::inside_out) == 0);
   CHECK(after.count(Kind::non_manifold_vertex) == 0);
   CHECK(after.count(Severity::repairable) == 0);
