@@ -267,7 +267,7 @@ TEST_CASE("Fingerprints are those of the surface, not of its triangles") {
   const mesh::TriangleMesh mesh = slit_ring(two_slits(), moebius).mesh;
   Random random(5);
   const TriangleList plain{mesh.surface.triangles(), mesh.points, mesh.surface.vertex_count()};
-  const Fingerprint one = fingerprint(mesh, 0, 1, 30'000);
+  const Fingerprint one = fingerprint(mesh, {}, 30'000);
   REQUIRE(one.found);
   REQUIRE(one.triangles.size() == 4);
   REQUIRE(one.ring.size() == 7);
@@ -276,7 +276,7 @@ TEST_CASE("Fingerprints are those of the surface, not of its triangles") {
   for (int round = 0; round < 2; ++round) {
     // Splits only: flips would change the surface.
     const TriangleList other = relabelled(retriangulated(plain, random, 0, 60), random);
-    const Fingerprint two = fingerprint({other.points, other.surface()}, 0, 1, 30'000);
+    const Fingerprint two = fingerprint({other.points, other.surface()}, {}, 30'000);
     for (std::size_t k = 0; k < one.ring.size(); ++k) {
       // Errors are estimates: three of them are allowed.
       const double ring = 3 * (one.ring_error[k] + two.ring_error[k]) + 1e-12;
@@ -293,8 +293,9 @@ TEST_CASE("Fingerprints are near the exact numbers, whatever the position in spa
   mesh::TriangleMesh turned = bent.mesh;
   for (auto& [x, y, z] : turned.points) std::tie(x, y, z) = std::tuple{5 - 3 * z, 3 * x, -3 * y};
   const auto loops = mesh::boundary_loops(turned);
-  const Fingerprint found = fingerprint(turned, mesh::loop_through(loops, turned.surface, bent.outer_vertex),
-                                        mesh::loop_through(loops, turned.surface, bent.inner_vertex), 40'000);
+  const LoopPair pair{mesh::loop_through(loops, turned.surface, bent.outer_vertex),
+                      mesh::loop_through(loops, turned.surface, bent.inner_vertex)};
+  const Fingerprint found = fingerprint(turned, pair, 40'000);
   const CircularDomain exact = circular_domain(exact_ring());
   // The outer polygon of 64 sides has an area 0.2 percent smaller than its circle.
   CHECK(found.disk[0] == Approx(exact.circles[1].radius).margin(1e-3));
@@ -311,9 +312,9 @@ TEST_CASE("Fingerprints of surfaces with other holes are not compared") {
   CylinderGrid grid = two_slits();
   grid.cracks.pop_back();
   const mesh::TriangleMesh one = slit_ring(grid, moebius).mesh;
-  CHECK_THROWS_AS(distance(fingerprint(two, 0, 1, 0), fingerprint(one, 0, 1, 0)), InputError);
-  CHECK_THROWS_AS(fingerprint(two, 0, 4, 0), InputError);
-  CHECK(std::isinf(fingerprint(two, 0, 1, 0).disk_error[0]));
+  CHECK_THROWS_AS(distance(fingerprint(two, {}, 0), fingerprint(one, {}, 0)), InputError);
+  CHECK_THROWS_AS(fingerprint(two, LoopPair{0, 4}, 0), InputError);
+  CHECK(std::isinf(fingerprint(two, {}, 0).disk_error[0]));
 }
 
 TEST_CASE("Turning the disk changes no distance, moving one circle changes it by as much") {
