@@ -57,12 +57,13 @@ SlitRing slit_ring(const SlitMap& map) {
   return ring;
 }
 
-CircularMap circular_map(const OneForms& forms, const SlitMap& map, const CircularOptions& options) {
+CircularMap circular_map(const OneForms& forms, const SlitMap& map, const CircularOptions& options,
+                         const Progress& progress) {
   CircularMap result;
   result.loop = {map.outer, map.inner};
   for (const Slit& s : map.slits) result.loop.push_back(s.loop);
   const SlitRing ring = slit_ring(map);
-  result.domain = circular_domain(ring, options);
+  result.domain = circular_domain(ring, options, progress);
   const LogCurves from = opened_slits(ring, samples_of(result.domain.curves), 0);
   result.position = extended_in_logs(forms, map, result.loop, from, result.domain.curves);
   refine_branches(forms, map, result);

@@ -33,12 +33,12 @@ std::vector<int> loops_in_order(const OneForms& forms, LoopPair pair) {
 }
 
 /// `vertex` names the loops in their order: they may be numbered otherwise here.
-Level level(const OneForms& forms, const std::vector<int>& vertex) {
+Level level(const OneForms& forms, const std::vector<int>& vertex, const Progress& progress) {
   std::vector<int> loop;
   loop.reserve(vertex.size());
   for (const int v : vertex) loop.push_back(mesh::loop_through(forms.loops(), forms.mesh().surface, v));
   const SlitMap map = slit_map(forms, loop[0], loop[1]);
-  const CircularDomain domain = circular_domain(slit_ring(map));
+  const CircularDomain domain = circular_domain(slit_ring(map), {}, progress);
   Level result{{std::exp(-map.modulus)}, {domain.circles[1].radius}, domain.found};
   double origin = 0;
   Complex turn = 1;
@@ -108,12 +108,12 @@ Fingerprint fingerprint(const mesh::TriangleMesh& mesh, std::optional<LoopPair> 
   mesh::TriangleMesh fine = mesh;
   while (true) {
     progress.step("triangulations", fine.surface.triangle_count() / (2 * most));
-    const OneForms forms(fine, {}, Edges::intrinsic_delaunay);
+    const OneForms forms(fine, progress.silent(), Edges::intrinsic_delaunay);
     if (levels.empty()) {
       result.loops = loops_in_order(forms, pair ? *pair : farthest_loops(forms));
       for (const int k : result.loops) vertex.push_back(mesh.surface.vertex(forms.loops()[k].sides.front()));
     }
-    levels.push_back(level(forms, vertex));
+    levels.push_back(level(forms, vertex, progress.silent()));
     result.triangles.push_back(fine.surface.triangle_count());
     result.found = result.found && levels.back().found;
     if (4.0 * fine.surface.triangle_count() > most) break;

@@ -50,7 +50,7 @@ double ratio_of_axes(const FlatTriangle& p, const FlatTriangle& q) {
   // Beyond this ratio the difference is a rounding error, of either sign.
   constexpr double flattest = 1e12;
   return forward + backward < flattest * (forward - backward) ? (forward + backward) / (forward - backward)
-                                                               : 0.0;
+                                                              : 0.0;
 }
 
 } // namespace tetrarch::slit

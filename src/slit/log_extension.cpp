@@ -198,9 +198,9 @@ void refine_branches(const OneForms& forms, const SlitMap& map, CircularMap& cir
   for (const std::size_t k : small) is_small[circular.loop[k]] = 1;
   for (std::size_t v = 0; v < circular.position.size(); ++v) {
     if (loop_of[v] >= 0 && is_small[loop_of[v]] == 0) continue;
-    const auto nearest = std::min_element(branches.begin(), branches.end(), [&](const auto& a, const auto& b) {
-      return a.log[v].real() < b.log[v].real();
-    });
+    const auto nearest =
+        std::min_element(branches.begin(), branches.end(),
+                         [&](const auto& a, const auto& b) { return a.log[v].real() < b.log[v].real(); });
     Complex sum = 0;
     double weights = 0;
     for (const Branch& b : branches) {

@@ -60,8 +60,7 @@ std::vector<int> assigned(const std::vector<std::vector<double>>& cost) {
       int next = 0;
       for (int j = 1; j <= m; ++j) {
         if (used[j] != 0) continue;
-        const double reduced =
-            cost[row_of[column] - 1][j - 1] - row_price[row_of[column]] - column_price[j];
+        const double reduced = cost[row_of[column] - 1][j - 1] - row_price[row_of[column]] - column_price[j];
         if (reduced < least[j]) {
           least[j] = reduced;
           before[j] = column;

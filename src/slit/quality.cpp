@@ -43,7 +43,8 @@ double extent(const std::vector<std::array<double, 3>>& points) {
   return result > 0 ? result : 1;
 }
 
-/// The same shape with its longest side about 1 long, and how long that side was: squares of e^-300 underflow.
+/// The same shape with its longest side about 1 long, and how long that side was: squares of e^-300
+/// underflow.
 std::pair<FlatTriangle, double> of_size_one(FlatTriangle q) {
   const double size = std::max({std::abs(q[1] - q[0]), std::abs(q[2] - q[1]), std::abs(q[0] - q[2])});
   return {{0.0, (q[1] - q[0]) / size, (q[2] - q[0]) / size}, size};
@@ -163,8 +164,7 @@ Residuals residuals(const OneForms& forms, const SlitMap& map) {
     raise_to(result.flux, std::abs(through[k] - wanted));
     const auto radius = [&](mesh::SideEnd e) { return std::abs(map.concentric(surface.vertex(e))); };
     const auto& sides = forms.loops()[k].sides;
-    for (const mesh::SideEnd e : sides)
-      raise_to(result.radius, std::abs(radius(e) - radius(sides.front())));
+    for (const mesh::SideEnd e : sides) raise_to(result.radius, std::abs(radius(e) - radius(sides.front())));
   }
   return result;
 }

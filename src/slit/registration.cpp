@@ -241,13 +241,13 @@ std::vector<Complex> carried_over(const OneForms& forms, const CircularMap& map,
 
 /// Vertices slide along B's circles.
 void unflip(const OneForms& forms, const CircularMap& map_a, const CircularMap& map_b,
-            const std::vector<int>& matching, Registration& result) {
+            const std::vector<int>& matching, Unflip which, Registration& result) {
   CircularMap image{map_a.loop, {}, result.position};
   for (const int k : map_a.loop) {
     const auto curve = std::find(map_b.loop.begin(), map_b.loop.end(), matching[k]) - map_b.loop.begin();
     image.domain.circles.push_back(map_b.domain.circles[static_cast<std::size_t>(curve)]);
   }
-  result.moved = unflip_in_disk(forms.mesh(), image).moved;
+  result.moved = unflip_in_disk(forms.mesh(), image, which).moved;
   result.position = image.position;
 }
 
@@ -336,7 +336,10 @@ Registration registered(const OneForms& a, const CircularMap& map_a, const mesh:
   Registration result;
   result.turn = best_turn(from, to);
   result.position = carried_over(a, map_a, from, to, b.surface, map_b.position, result.turn);
-  if (options.unflip) unflip(a, map_a, map_b, matching, result);
+  if (options.unflip)
+    unflip(a, map_a, map_b, matching, Unflip::everywhere, result);
+  else if (options.unflip_at_slits && !distortion_in_plane(a.mesh(), result.position).flipped.empty())
+    unflip(a, map_a, map_b, matching, Unflip::at_slits, result);
   locate(a, to, b, map_b.position, result);
   const Eigen::VectorXd share = measure_distortion(a.mesh(), result);
   compare(a.mesh(), share, options.aligned, result);

@@ -123,8 +123,8 @@ SlitMap slit_map(const OneForms& forms, int outer, int inner) {
 }
 
 LoopPair farthest_loops(const OneForms& forms) {
-  // The modulus is 2 pi times the effective resistance. Constants are the kernel of the fluxes; with a 1 there
-  // the inverse gives resistances.
+  // The modulus is 2 pi times the effective resistance. Constants are the kernel of the fluxes; with a 1
+  // there the inverse gives resistances.
   const int n = forms.loop_count();
   Eigen::MatrixXd matrix(n, n);
   double scale = 0;

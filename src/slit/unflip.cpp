@@ -159,8 +159,7 @@ private:
     }
     double longest = 0;
     for (const Side s : mesh::sides_of(t)) longest = std::max(longest, std::abs(along_[s.value]));
-    const double width =
-        cross(along_[Side(t, 2).value] / longest, -along_[Side(t, 1).value] / longest);
+    const double width = cross(along_[Side(t, 2).value] / longest, -along_[Side(t, 1).value] / longest);
     return !(width > factor * width_[t]);
   }
 

@@ -9,6 +9,7 @@
 #include "tetrarch/format/text.hpp"
 #include "tetrarch/scene/files.hpp"
 #include "tetrarch/slit/matching.hpp"
+#include "tetrarch/slit/quality.hpp"
 #include "tetrarch/slit/registration.hpp"
 #include "tetrarch/slit/unflip.hpp"
 
@@ -74,7 +75,8 @@ slit::OneForms one_forms(const Input& input, const std::string& path, const Prog
 
 slit::CircularMap circles(const slit::OneForms& forms, int outer, int inner, bool unflip, Result& result) {
   slit::CircularMap map = slit::circular_map(forms, slit::slit_map(forms, outer, inner));
-  if (unflip) slit::unflip_in_disk(forms.mesh(), map);
+  if (unflip || !slit::distortion_in_disk(forms.mesh(), map).flipped.empty())
+    slit::unflip_in_disk(forms.mesh(), map, unflip ? slit::Unflip::everywhere : slit::Unflip::at_slits);
   if (!map.domain.found) {
     result.status = Status::undecided;
     result.warnings.emplace_back("the budget of rounds ended before the circles became round");
@@ -119,8 +121,8 @@ Found searched(const slit::OneForms& a, const slit::CircularMap& map_a, const sl
                slit::RegistrationOptions how, Result& result) {
   const slit::LoopPair pair = slit::farthest_loops(b);
   std::vector<Candidate> all = candidates(map_a, circles(b, pair.outer, pair.inner, false, result));
-  const auto end = std::find_if(all.begin(), all.end(),
-                                [&](const Candidate& c) { return !is_as_good(c, all.front()); });
+  const auto end =
+      std::find_if(all.begin(), all.end(), [&](const Candidate& c) { return !is_as_good(c, all.front()); });
   const std::size_t tried = static_cast<std::size_t>(end - all.begin());
   std::optional<Found> best;
   for (std::size_t k = 0; k < tried; ++k) {
@@ -226,6 +228,7 @@ Result run_register(const Options& options, const Context& context) {
   slit::RegistrationOptions how;
   how.aligned = !options.as_placed;
   how.unflip = options.unflip;
+  how.unflip_at_slits = true;
   const slit::CircularMap map_a = circles(a, pair.outer, pair.inner, options.unflip, result);
   Found found;
   if (options.match.empty()) {

@@ -211,7 +211,7 @@ Made make(const mesh::OpenedMesh& surface, const std::vector<mesh::BoundaryLoop>
     return made;
   }
   if (!options.is_circular()) return make_slits(forms, std::move(map), options);
-  const slit::CircularMap circular = slit::circular_map(forms, map);
+  const slit::CircularMap circular = slit::circular_map(forms, map, {}, progress);
   Made made = make_circles(surface.mesh, circular, options);
   Report slits = map_report(map, true);
   slits.add(std::move(made.report));
@@ -375,6 +375,11 @@ Result run_slit(const Options& options, const Context& context) {
                  {"domain", options.domain}};
   report.add(made.report);
   report.json["seconds"] = seconds; // from the mesh to the map, files apart
+  const auto [scale, shift] = std::pair(made.layout.texture_scale, made.layout.texture_shift);
+  report.json["texture"] = {{"scale", scale}, {"shift", shift}};
+  if (!options.outputs.empty())
+    report.rows.emplace_back("texture", "the domain times " + rounded(scale) +
+                                            (shift == 0 ? "" : ", plus " + rounded(shift)));
   result.text = block(report.rows);
   result.json = std::move(report.json);
   result.warnings = std::move(report.warnings);
@@ -398,7 +403,8 @@ Run declare_slit(OptionTable& table) {
   table
       .add("--outer", o->outer,
            "the loop that becomes the outer circle: its number, from 0 by decreasing length, or v17 for the "
-           "loop through vertex 17, counted from 0 (default: 0; for --fingerprint and --distance the two loops "
+           "loop through vertex 17, counted from 0 (default: 0; for --fingerprint and --distance the two "
+           "loops "
            "of greatest modulus)")
       .value_name("LOOP");
   table.add("--inner", o->inner, "the loop that becomes the inner circle, named as for --outer (default: 1)")
@@ -429,7 +435,8 @@ Run declare_slit(OptionTable& table) {
            "print the distance between the fingerprints of this surface and of another, the least over all "
            "matchings of their loops")
       .value_name("SURFACE");
-  table.add("--mirror", o->mirror, "let --distance compare with the mirror image of the other surface as well");
+  table.add("--mirror", o->mirror,
+            "let --distance compare with the mirror image of the other surface as well");
   table.add("--unflip", o->unflip, "move vertices near inverted triangles until no triangle is inverted");
   table.add("--intrinsic", o->intrinsic,
             "solve on the intrinsic Delaunay triangulation, which is better for obtuse triangles");

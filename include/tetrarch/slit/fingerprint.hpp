@@ -8,8 +8,9 @@
 /// circle, the inner one is about 0, the first other loop's slit starts at angle 0, and its circle has its
 /// center on the positive real axis. Loops are not told apart by their numbers, which go by length and so
 /// depend on more than the conformal structure: outer and inner are the two of greatest modulus unless others
-/// are asked for, and the other loops come by the radii of their slits, the outermost first. Each surface with n loops has 3n - 6 real invariants (one for n = 2);
-/// either domain has them all, once what is 0 is left out.
+/// are asked for, and the other loops come by the radii of their slits, the outermost first. Each surface
+/// with n loops has 3n - 6 real invariants (one for n = 2); either domain has them all, once what is 0 is
+/// left out.
 ///
 /// Numbers come with an error: the map is computed again on finer triangulations of the same surface (each
 /// triangle in four), and extrapolated. Source: Yin, section 2.4.1 and table 2.1, whose vectors [r1, r2, r3,
@@ -44,8 +45,8 @@ Fingerprint fingerprint(const mesh::TriangleMesh& mesh, std::optional<LoopPair> 
 /// The circles of the disk: the unit circle, the inner one, and the others in their order.
 std::vector<Circle> circles(const Fingerprint& fingerprint);
 
-/// The least distance over all matchings of the loops: see `best_matchings`. Throws InputError unless both have
-/// the same number of loops.
+/// The least distance over all matchings of the loops: see `best_matchings`. Throws InputError unless both
+/// have the same number of loops.
 double distance(const Fingerprint& a, const Fingerprint& b);
 
 } // namespace tetrarch::slit
