@@ -11,8 +11,6 @@
 namespace tetrarch::slit {
 namespace {
 
-/// Beyond this modulus the inner radius, or an edge beside it, would be no normal double.
-constexpr double greatest_modulus = 700;
 /// Angles are known to about 1e-15, so of a slit this short the last digits only.
 constexpr double shortest_slit = 1e-12;
 
@@ -40,9 +38,7 @@ void put_on_circles(const OneForms& forms, CircularMap& map) {
 } // namespace
 
 SlitRing slit_ring(const SlitMap& map) {
-  if (!(map.modulus < greatest_modulus))
-    refuse("the inner radius, e^-" + std::to_string(map.modulus) + ", is too small for a double",
-           " (the cylindric and the parallel domain have room for it)");
+  require_radii(map);
   SlitRing ring{std::exp(-map.modulus), {}};
   for (const Slit& s : map.slits) {
     const std::string slit = "the slit of loop " + std::to_string(s.loop);

@@ -8,6 +8,18 @@ namespace tetrarch::slit {
 
 using Complex = std::complex<double>;
 
+namespace {
+
+/// Edges 01 and 02 laid flat.
+FlatTriangle laid_flat(const std::array<double, 3>& a, const std::array<double, 3>& b) {
+  const double length = std::hypot(a[0], a[1], a[2]);
+  const double area =
+      std::hypot(a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]);
+  return {0.0, length, {(a[0] * b[0] + a[1] * b[1] + a[2] * b[2]) / length, area / length}};
+}
+
+} // namespace
+
 FlatTriangle laid_flat(const std::vector<std::array<double, 3>>& points,
                        const mesh::Surface::Triangle& corners) {
   const auto edge = [&](int c) {
@@ -15,20 +27,23 @@ FlatTriangle laid_flat(const std::vector<std::array<double, 3>>& points,
     for (int k = 0; k < 3; ++k) e[k] = points[corners[c]][k] - points[corners[0]][k];
     return e;
   };
-  auto a = edge(1);
-  auto b = edge(2);
-  // Squares of tiny edges underflow; powers of two change no digit.
+  const auto a = edge(1);
+  const auto b = edge(2);
   double size = 0;
   for (const auto& e : {a, b})
     for (const double x : e) size = std::max(size, std::abs(x));
+  constexpr double least = 1e-60;
+  constexpr double most = 1e60;
+  if (least < size && size < most) return laid_flat(a, b);
+  // Squares of tiny edges underflow, of huge ones overflow; powers of two change no digit.
   const int power = size > 0 && std::isfinite(size) ? std::ilogb(size) : 0;
-  for (auto* const e : {&a, &b})
-    for (double& x : *e) x = std::ldexp(x, -power);
-  const double length = std::hypot(a[0], a[1], a[2]);
-  const double area =
-      std::hypot(a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]);
-  const double x = (a[0] * b[0] + a[1] * b[1] + a[2] * b[2]) / length;
-  return {0.0, std::ldexp(length, power), {std::ldexp(x, power), std::ldexp(area / length, power)}};
+  const auto scaled = [&](std::array<double, 3> e) {
+    for (double& x : e) x = std::ldexp(x, -power);
+    return e;
+  };
+  FlatTriangle result = laid_flat(scaled(a), scaled(b));
+  for (Complex& z : result) z = {std::ldexp(z.real(), power), std::ldexp(z.imag(), power)};
+  return result;
 }
 
 double twice_area(const FlatTriangle& p) {

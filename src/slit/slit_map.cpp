@@ -122,6 +122,14 @@ SlitMap slit_map(const OneForms& forms, int outer, int inner) {
   return map;
 }
 
+void require_radii(const SlitMap& map) {
+  constexpr double greatest = 700;
+  if (map.modulus < greatest) return;
+  throw InputError("the inner radius, e^-" + std::to_string(map.modulus) +
+                   ", is too small for a double; the surface is too long and thin for this domain (the "
+                   "cylindric and the parallel domain have room for it)");
+}
+
 LoopPair farthest_loops(const OneForms& forms) {
   // The modulus is 2 pi times the effective resistance. Constants are the kernel of the fluxes; with a 1
   // there the inverse gives resistances.

@@ -167,6 +167,30 @@ TEST_CASE("Riemann's map of a disk converges to the exact one") {
   CHECK(coarse > 11 * fine);
 }
 
+/// A strip of squares, long and two wide.
+mesh::TriangleMesh strip(int length) {
+  format::Soup soup;
+  for (int i = 0; i <= length; ++i)
+    for (int j = 0; j < 3; ++j) soup.points.push_back({static_cast<double>(i), static_cast<double>(j), 0});
+  for (int i = 0; i < length; ++i)
+    for (int j = 0; j < 2; ++j) {
+      const int at = 3 * i + j;
+      soup.triangles.push_back({at, at + 3, at + 4});
+      soup.triangles.push_back({at, at + 4, at + 1});
+    }
+  return mesh::build_surface(std::move(soup));
+}
+
+TEST_CASE("A disk of which the centre sees next to nothing is refused") {
+  // The far end of a strip of width 2 and length L sees e^(-pi L / 2): 1e-5 and 1e-55. Two of the corners
+  // have no neighbor inside.
+  const mesh::TriangleMesh near = strip(8);
+  const CircularMap map = disk_map(near, 4);
+  CHECK(distortion_in_plane(near, map.position).flipped.empty());
+  CHECK_THROWS_AS(disk_map(strip(80), 4), InputError);
+  CHECK_NOTHROW(disk_map(strip(14), 3 * 7 + 1));
+}
+
 TEST_CASE("Riemann's map refuses what is no disk, and a centre that is not inside") {
   const mesh::TriangleMesh mesh = disk(2, 8, [](Complex z) { return z; });
   CHECK(innermost_vertex(mesh) == 0);

@@ -9,7 +9,6 @@
 #include "tetrarch/format/text.hpp"
 #include "tetrarch/scene/files.hpp"
 #include "tetrarch/slit/matching.hpp"
-#include "tetrarch/slit/quality.hpp"
 #include "tetrarch/slit/registration.hpp"
 #include "tetrarch/slit/unflip.hpp"
 
@@ -75,8 +74,7 @@ slit::OneForms one_forms(const Input& input, const std::string& path, const Prog
 
 slit::CircularMap circles(const slit::OneForms& forms, int outer, int inner, bool unflip, Result& result) {
   slit::CircularMap map = slit::circular_map(forms, slit::slit_map(forms, outer, inner));
-  if (unflip || !slit::distortion_in_disk(forms.mesh(), map).flipped.empty())
-    slit::unflip_in_disk(forms.mesh(), map, unflip ? slit::Unflip::everywhere : slit::Unflip::at_slits);
+  slit::unflip_in_disk(forms.mesh(), map, unflip ? slit::Unflip::everywhere : slit::Unflip::at_slits);
   if (!map.domain.found) {
     result.status = Status::undecided;
     result.warnings.emplace_back("the budget of rounds ended before the circles became round");

@@ -98,24 +98,18 @@ void add(Made& made, const slit::Distortion& distortion) {
 Made make_slits(const slit::OneForms& forms, slit::SlitMap map, const Options& options) {
   const SlitDomain domain = domain_named(options.domain);
   const bool on_ring = domain == SlitDomain::concentric;
+  if (on_ring) in_file(options.input, [&] { slit::require_radii(map); });
   Made made;
   made.mesh = forms.mesh();
   made.report = map_report(map, on_ring);
   // Vertices that are moved later are no longer harmonic.
   const slit::Residuals residuals = slit::residuals(forms, map);
-  const auto distortion = [&] {
-    return on_ring ? slit::distortion_on_ring(forms, map) : slit::distortion_on_cylinder(forms, map);
-  };
-  slit::Distortion found = distortion();
-  if (options.unflip || !found.flipped.empty()) {
-    // A slit turns back between vertices, whatever the mesh is: that much is always put right.
-    const slit::Unflip which = options.unflip ? slit::Unflip::everywhere : slit::Unflip::at_slits;
-    const slit::Unflipped moved =
-        on_ring ? slit::unflip_on_ring(forms, map, which) : slit::unflip_on_cylinder(forms, map, which);
-    made.report.add(unflipped_report(moved));
-    found = distortion();
-  }
-  add(made, found);
+  // A slit turns back between vertices, whatever the mesh is: that much is always put right.
+  const slit::Unflip which = options.unflip ? slit::Unflip::everywhere : slit::Unflip::at_slits;
+  const slit::Unflipped moved =
+      on_ring ? slit::unflip_on_ring(forms, map, which) : slit::unflip_on_cylinder(forms, map, which);
+  if (options.unflip || moved.moved > 0) made.report.add(unflipped_report(moved));
+  add(made, on_ring ? slit::distortion_on_ring(forms, map) : slit::distortion_on_cylinder(forms, map));
   made.report.add(residuals_report(residuals));
   made.fields.vertices = {{"log_radius", map.log_radius}, {"angle", map.angle}};
   for (int k = 0; k < forms.loop_count(); ++k)
@@ -135,13 +129,10 @@ Made make_circles(mesh::TriangleMesh mesh, slit::CircularMap map, const Options&
   made.found = map.domain.found;
   if (!made.found)
     made.report.warnings.emplace_back("the budget of rounds ended before the circles became round");
-  slit::Distortion distortion = slit::distortion_in_disk(made.mesh, map);
-  if (options.unflip || !distortion.flipped.empty()) {
-    const slit::Unflip which = options.unflip ? slit::Unflip::everywhere : slit::Unflip::at_slits;
-    made.report.add(unflipped_report(slit::unflip_in_disk(made.mesh, map, which)));
-    distortion = slit::distortion_in_disk(made.mesh, map);
-  }
-  add(made, distortion);
+  const slit::Unflip which = options.unflip ? slit::Unflip::everywhere : slit::Unflip::at_slits;
+  const slit::Unflipped moved = slit::unflip_in_disk(made.mesh, map, which);
+  if (options.unflip || moved.moved > 0) made.report.add(unflipped_report(moved));
+  add(made, slit::distortion_in_disk(made.mesh, map));
   made.layout = scene::disk_layout(made.mesh, map.position);
   return made;
 }
@@ -211,7 +202,8 @@ Made make(const mesh::OpenedMesh& surface, const std::vector<mesh::BoundaryLoop>
     return made;
   }
   if (!options.is_circular()) return make_slits(forms, std::move(map), options);
-  const slit::CircularMap circular = slit::circular_map(forms, map, {}, progress);
+  const slit::CircularMap circular =
+      in_file(options.input, [&] { return slit::circular_map(forms, map, {}, progress); });
   Made made = make_circles(surface.mesh, circular, options);
   Report slits = map_report(map, true);
   slits.add(std::move(made.report));

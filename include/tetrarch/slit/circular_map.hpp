@@ -33,7 +33,8 @@ CircularMap circular_map(const OneForms& forms, const SlitMap& map, const Circul
 /// The case of one loop: Riemann's map of a disk, in which vertex `center` goes to 0 and the first vertex of
 /// the loop to 1. Green's function with its pole at `center` tells how the boundary goes round; near the pole
 /// itself, where it is rough, it is not used. Throws InputError unless the mesh is an oriented disk with
-/// vertex `center` inside. One sparse factorization, three right-hand sides.
+/// vertex `center` inside, or if edges of the loop see so little of the center that doubles do not tell their
+/// ends apart on the circle. One sparse factorization, three right-hand sides.
 CircularMap disk_map(const mesh::TriangleMesh& mesh, int center);
 
 /// A vertex with as many edges between it and the boundary as any; -1 if all vertices are on the boundary.

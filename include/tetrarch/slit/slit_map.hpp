@@ -67,6 +67,10 @@ struct SlitMap {
 /// of the number of loops.
 SlitMap slit_map(const OneForms& forms, int outer, int inner);
 
+/// Throws InputError if the modulus is 700 or more: the inner radius, or edges beside it, would be no normal
+/// doubles. Heights have room for that.
+void require_radii(const SlitMap& map);
+
 struct LoopPair {
   int outer = 0;
   int inner = 1;
