@@ -275,9 +275,14 @@ bool is_flat(const FlatTriangle& p) {
   return !(twice_area(p) > flat * longest_squared(p));
 }
 
+/// Round holes have no room for ears: these are not called flipped.
+std::vector<int> flipped_in_disk(const mesh::TriangleMesh& a, const CircularMap& map_a,
+                                 const std::vector<Complex>& position) {
+  return distortion_in_disk(a, {map_a.loop, {}, position}).flipped;
+}
+
 /// Returns for each vertex a third of the area of the triangles around it.
 Eigen::VectorXd measure_distortion(const mesh::TriangleMesh& a, Registration& result) {
-  result.flipped = distortion_in_plane(a, result.position).flipped;
   std::vector<char> is_flipped(static_cast<std::size_t>(a.surface.triangle_count()), 0);
   for (const int t : result.flipped) is_flipped[t] = 1;
   Eigen::VectorXd share = Eigen::VectorXd::Zero(a.surface.vertex_count());
@@ -338,9 +343,10 @@ Registration registered(const OneForms& a, const CircularMap& map_a, const mesh:
   result.position = carried_over(a, map_a, from, to, b.surface, map_b.position, result.turn);
   if (options.unflip)
     unflip(a, map_a, map_b, matching, Unflip::everywhere, result);
-  else if (options.unflip_at_slits && !distortion_in_plane(a.mesh(), result.position).flipped.empty())
+  else if (options.unflip_at_slits)
     unflip(a, map_a, map_b, matching, Unflip::at_slits, result);
   locate(a, to, b, map_b.position, result);
+  result.flipped = flipped_in_disk(a.mesh(), map_a, result.position);
   const Eigen::VectorXd share = measure_distortion(a.mesh(), result);
   compare(a.mesh(), share, options.aligned, result);
   return result;

@@ -114,7 +114,22 @@ struct Found {
   std::string text;
 };
 
-/// Tries all matchings that circles allow, and takes the one by which the surfaces come closest in space.
+/// Whether a registration is clearly more conformal than another, or about as conformal and closer in space.
+/// Angles come first, as the sizes of the surfaces may differ and bends are no fault.
+bool is_better(const slit::Registration& r, const slit::Registration& than) {
+  const auto score = [](const slit::Registration& one) {
+    constexpr double flipped = 10; // stands for the ratio of axes of a flipped triangle
+    const auto n = static_cast<double>(std::max<std::size_t>(one.quasi_conformal.size(), 1));
+    return one.mean_quasi_conformal - 1 + flipped * static_cast<double>(one.flipped.size()) / n;
+  };
+  constexpr double clearly = 0.9;
+  constexpr double rounding = 1e-9;
+  if (score(r) < clearly * score(than) - rounding) return true;
+  return score(than) >= clearly * score(r) - rounding && r.mean_distance < than.mean_distance;
+}
+
+/// Tries all matchings that circles allow, and takes the most conformal one; of equal ones that by which the
+/// surfaces come closest in space.
 Found searched(const slit::OneForms& a, const slit::CircularMap& map_a, const slit::OneForms& b,
                slit::RegistrationOptions how, Result& result) {
   const slit::LoopPair pair = slit::farthest_loops(b);
@@ -128,7 +143,7 @@ Found searched(const slit::OneForms& a, const slit::CircularMap& map_a, const sl
     const slit::CircularMap map_b =
         circles(b, how.matching[map_a.loop[0]], how.matching[map_a.loop[1]], how.unflip, result);
     slit::Registration r = slit::registered(a, map_a, b.mesh(), map_b, how);
-    if (best && best->registration.mean_distance <= r.mean_distance) continue;
+    if (best && !is_better(r, best->registration)) continue;
     best = Found{std::move(r),
                  all[k].match,
                  {{"distance", all[k].distance},
@@ -138,9 +153,10 @@ Found searched(const slit::OneForms& a, const slit::CircularMap& map_a, const sl
   }
   if (end != all.end()) best->text += ", by the next best matching by " + scientific(end->distance, 1);
   if (tried > 1)
-    result.warnings.push_back(counted(static_cast<long long>(tried), "matching") +
-                              " of the loops fit the circles; the one that brings the surfaces closest in "
-                              "space was taken (--match chooses another)");
+    result.warnings.push_back(
+        counted(static_cast<long long>(tried), "matching") +
+        " of the loops fit the circles; the most conformal one was taken, or of equal ones "
+        "the closest in space (--match chooses another)");
   return std::move(*best);
 }
 
@@ -258,7 +274,7 @@ Run declare_register(OptionTable& table) {
   table
       .add("--match", o->match,
            "the loop of SECOND that matches each boundary loop of FIRST, such as 0,2,1 or v3,v17,v20 "
-           "(default: by the circles of both, or in space where circles allow several)")
+           "(default: found by the circles of both)")
       .value_name("LIST");
   table
       .add("--outer", o->outer,
