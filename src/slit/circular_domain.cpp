@@ -75,12 +75,12 @@ Circle fitted(const std::vector<Complex>& curve) {
 void map_around(LogCurves& curves, std::size_t k, const Shift& h, double reach,
                 const std::vector<Complex>& image) {
   const LogCurve own = curves[k];
-  const Shift shift = [&](const std::vector<Complex>& path) { return shift_of(h, reach, own.center, path); };
+  const ShiftKeepingZero shift(h, reach, own.center);
   for (std::size_t other = 0; other < curves.size(); ++other)
     if (other != k) carry(curves[other], shift, gap(curves[other].center, own));
   // z / exp(center) - 1 of the image, after the translation that keeps z = 0 in its place.
   const Complex middle = mean(image);
-  const Complex center = middle - h({-1.0})[0];
+  const Complex center = middle - shift.translation();
   curves[k].center += log1p(center);
   for (std::size_t j = 0; j < image.size(); ++j) curves[k].offset[j] = (image[j] - middle) / (1.0 + center);
   curves[k].offset = log1p_along(std::move(curves[k].offset));

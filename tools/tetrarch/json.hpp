@@ -79,7 +79,8 @@ public:
   /// JSON text, in one line; with an `indent`, an item a line. Numbers that are not finite become null.
   std::string dump(int indent = -1) const;
 
-  /// The names that lead to the first number that is none, joined by slashes; empty if there is no such number.
+  /// The names that lead to the first number that is none, joined by slashes; empty if there is no such
+  /// number.
   std::string where_not_a_number() const;
 
 private:
