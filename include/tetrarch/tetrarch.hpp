@@ -166,6 +166,7 @@
 #include "tetrarch/slit/circular_map.hpp"
 #include "tetrarch/slit/conjugate.hpp"
 #include "tetrarch/slit/fingerprint.hpp"
+#include "tetrarch/slit/matching.hpp"
 #include "tetrarch/slit/one_form.hpp"
 #include "tetrarch/slit/one_forms.hpp"
 #include "tetrarch/slit/quads.hpp"

@@ -8,19 +8,33 @@ namespace tetrarch::numeric {
 
 using Complex = std::complex<double>;
 
+namespace {
+
+/// Edges 01 and 02 laid flat.
+FlatTriangle laid_flat(const Vector& a, const Vector& b) {
+  const double base = length(a);
+  return {0.0, base, {dot(a, b) / base, length(cross(a, b)) / base}};
+}
+
+} // namespace
+
 FlatTriangle laid_flat(const std::vector<Point>& points, const std::array<int, 3>& corners) {
-  Vector a = points[corners[1]] - points[corners[0]];
-  Vector b = points[corners[2]] - points[corners[0]];
-  // Squares of tiny edges underflow; powers of two change no digit.
+  const Vector a = points[corners[1]] - points[corners[0]];
+  const Vector b = points[corners[2]] - points[corners[0]];
   double size = 0;
   for (std::size_t k = 0; k < 3; ++k) size = std::max({size, std::abs(a[k]), std::abs(b[k])});
+  constexpr double least = 1e-60;
+  constexpr double most = 1e60;
+  if (least < size && size < most) return laid_flat(a, b);
+  // Squares of tiny edges underflow, of huge ones overflow; powers of two change no digit.
   const int power = size > 0 && std::isfinite(size) ? std::ilogb(size) : 0;
-  for (auto* const e : {&a, &b})
-    for (std::size_t k = 0; k < 3; ++k) (*e)[k] = std::ldexp((*e)[k], -power);
-  const double base = length(a);
-  const double area = length(cross(a, b));
-  return {
-      0.0, std::ldexp(base, power), {std::ldexp(dot(a, b) / base, power), std::ldexp(area / base, power)}};
+  const auto scaled = [&](Vector e) {
+    for (double& x : e) x = std::ldexp(x, -power);
+    return e;
+  };
+  FlatTriangle result = laid_flat(scaled(a), scaled(b));
+  for (Complex& z : result) z = {std::ldexp(z.real(), power), std::ldexp(z.imag(), power)};
+  return result;
 }
 
 double twice_area(const FlatTriangle& p) {

@@ -87,7 +87,8 @@ Layout rectangle(const slit::OneForms& forms, const slit::SlitMap& map) {
   Layout result = placer.take();
   result.name = "parallel slit domain";
   for (const Place& place : result.places)
-    result.textures.push_back({place[0] / full_turn, place[1] / map.modulus});
+    result.textures.push_back({place[0] / full_turn, place[1] / full_turn});
+  result.texture_scale = 1 / full_turn;
   return result;
 }
 
@@ -180,13 +181,28 @@ Layout basis_layout(const slit::OneForms& forms, int loop) {
   return result;
 }
 
+namespace {
+
+/// Of a disk, one vertex goes to 0 itself.
+bool is_ring(const mesh::TriangleMesh& mesh) {
+  return mesh::boundary_loops(mesh).size() > 1;
+}
+
+} // namespace
+
 Layout disk_layout(const mesh::TriangleMesh& mesh, const std::vector<std::complex<double>>& position) {
   Layout result;
   result.name = "circular domain";
+  double nearest = 1;
+  for (const std::complex<double>& z : position) nearest = std::min(nearest, std::abs(z));
+  // 1/2 + z/2 has no digits for what is nearer to 0.
+  constexpr double too_near = 1e-6;
+  result.texture_scale = 0.5;
+  result.texture_shift = nearest < too_near && position.size() > 1 && is_ring(mesh) ? 0 : 0.5;
   for (const std::complex<double>& z : position) {
     result.vertex.push_back(static_cast<int>(result.vertex.size()));
     result.places.push_back({z.real(), z.imag()});
-    result.textures.push_back({(z.real() + 1) / 2, (z.imag() + 1) / 2});
+    result.textures.push_back({z.real() / 2 + result.texture_shift, z.imag() / 2 + result.texture_shift});
   }
   result.corners = mesh.surface.triangles();
   return result;

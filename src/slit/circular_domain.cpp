@@ -75,12 +75,12 @@ Circle fitted(const std::vector<Complex>& curve) {
 void map_around(LogCurves& curves, std::size_t k, const Shift& h, double reach,
                 const std::vector<Complex>& image) {
   const LogCurve own = curves[k];
-  const Shift shift = [&](const std::vector<Complex>& path) { return shift_of(h, reach, own.center, path); };
+  const ShiftKeepingZero shift(h, reach, own.center);
   for (std::size_t other = 0; other < curves.size(); ++other)
     if (other != k) carry(curves[other], shift, gap(curves[other].center, own));
   // z / exp(center) - 1 of the image, after the translation that keeps z = 0 in its place.
   const Complex middle = mean(image);
-  const Complex center = middle - h({-1.0})[0];
+  const Complex center = middle - shift.translation();
   curves[k].center += log1p(center);
   for (std::size_t j = 0; j < image.size(); ++j) curves[k].offset[j] = (image[j] - middle) / (1.0 + center);
   curves[k].offset = log1p_along(std::move(curves[k].offset));
@@ -127,9 +127,12 @@ void make_round_about_zero(LogCurves& curves, bool is_outer) {
 }
 
 /// Makes every curve a circle once, the outer one last.
-void go_round(LogCurves& curves) {
+void go_round(LogCurves& curves, const Progress& progress) {
   make_round_about_zero(curves, false);
-  for (std::size_t k = 2; k < curves.size(); ++k) make_round(curves, k);
+  for (std::size_t k = 2; k < curves.size(); ++k) {
+    progress.step("circles");
+    make_round(curves, k);
+  }
   make_round_about_zero(curves, true);
 }
 
@@ -187,13 +190,13 @@ CircularDomain opened(const SlitRing& ring, const std::vector<int>& samples) {
   return domain;
 }
 
-void iterate(CircularDomain& domain, const CircularOptions& options) {
+void iterate(CircularDomain& domain, const CircularOptions& options, const Progress& progress) {
   double best = domain.circularity;
   int rounds_without_gain = 0;
   // Beyond the tolerance too, as long as it pays: rounds converge by a factor, until rounding stops them.
   while (domain.rounds < options.most_rounds && rounds_without_gain < 5) {
     const double before = domain.circularity;
-    go_round(domain.curves);
+    go_round(domain.curves, progress);
     ++domain.rounds;
     measure(domain);
     if (!std::isfinite(domain.circularity)) return;
@@ -233,13 +236,15 @@ private:
 
 } // namespace
 
-CircularDomain circular_domain(const SlitRing& ring, const CircularOptions& options) {
+CircularDomain circular_domain(const SlitRing& ring, const CircularOptions& options,
+                               const Progress& progress) {
   check(ring);
   Sampling sampling(ring.slits.size() + 2, options);
   while (true) {
+    progress.step("circles");
     CircularDomain domain = opened(ring, sampling.samples());
     if (sampling.refine(domain)) continue; // openings cost next to nothing
-    iterate(domain, options);
+    iterate(domain, options, progress);
     if (sampling.refine(domain)) continue;
     normalise(domain.curves);
     measure(domain);

@@ -11,8 +11,6 @@
 namespace tetrarch::slit {
 namespace {
 
-/// Beyond this modulus the inner radius, or an edge beside it, would be no normal double.
-constexpr double greatest_modulus = 700;
 /// Angles are known to about 1e-15, so of a slit this short the last digits only.
 constexpr double shortest_slit = 1e-12;
 
@@ -40,9 +38,7 @@ void put_on_circles(const OneForms& forms, CircularMap& map) {
 } // namespace
 
 SlitRing slit_ring(const SlitMap& map) {
-  if (!(map.modulus < greatest_modulus))
-    refuse("the inner radius, e^-" + std::to_string(map.modulus) + ", is too small for a double",
-           " (the cylindric and the parallel domain have room for it)");
+  require_radii(map);
   SlitRing ring{std::exp(-map.modulus), {}};
   for (const Slit& s : map.slits) {
     const std::string slit = "the slit of loop " + std::to_string(s.loop);
@@ -57,12 +53,13 @@ SlitRing slit_ring(const SlitMap& map) {
   return ring;
 }
 
-CircularMap circular_map(const OneForms& forms, const SlitMap& map, const CircularOptions& options) {
+CircularMap circular_map(const OneForms& forms, const SlitMap& map, const CircularOptions& options,
+                         const Progress& progress) {
   CircularMap result;
   result.loop = {map.outer, map.inner};
   for (const Slit& s : map.slits) result.loop.push_back(s.loop);
   const SlitRing ring = slit_ring(map);
-  result.domain = circular_domain(ring, options);
+  result.domain = circular_domain(ring, options, progress);
   const LogCurves from = opened_slits(ring, samples_of(result.domain.curves), 0);
   result.position = extended_in_logs(forms, map, result.loop, from, result.domain.curves);
   refine_branches(forms, map, result);

@@ -11,7 +11,65 @@
 
 namespace tetrarch::slit {
 
+namespace {
+
 using mesh::Side;
+
+/// The speed of the angle at the vertices of a loop. Fluxes are averages of it over both edges at a vertex. A
+/// corner without a neighbor inside has the flux 0 on any mesh; its speed lies between those beside it, whose
+/// logs are averaged, as they may differ by powers of ten.
+std::vector<double> densities(const std::vector<double>& flux, const std::vector<double>& length) {
+  const std::size_t n = flux.size();
+  std::vector<double> result(n);
+  for (std::size_t j = 0; j < n; ++j) result[j] = 2 * flux[j] / (length[j] + length[(j + n - 1) % n]);
+  const std::vector<double> known = result;
+  for (std::size_t j = 0; j < n; ++j) {
+    if (known[j] != 0) continue;
+    std::size_t before = 1;
+    std::size_t after = 1;
+    while (before < n && known[(j + n - before) % n] == 0) ++before;
+    while (after < n && known[(j + after) % n] == 0) ++after;
+    const double a = known[(j + n - before % n) % n];
+    const double b = known[(j + after) % n];
+    if (!(a > 0 && b > 0)) continue;
+    const double part = static_cast<double>(before) / static_cast<double>(before + after);
+    result[j] = std::exp((1 - part) * std::log(a) + part * std::log(b));
+  }
+  return result;
+}
+
+/// The angle at the vertices of the loop, from 0 on. Throws InputError where doubles do not tell them apart.
+std::vector<double> angles_round(const mesh::TriangleMesh& mesh, const mesh::BoundaryLoop& loop,
+                                 const std::vector<double>& flux) {
+  const mesh::Surface& surface = mesh.surface;
+  std::vector<double> length;
+  std::vector<double> here;
+  for (const mesh::SideEnd e : loop.sides) {
+    length.push_back(numeric::distance(mesh.points[surface.from(e.side)], mesh.points[surface.to(e.side)]));
+    here.push_back(flux[surface.vertex(e)]);
+  }
+  const std::vector<double> density = densities(here, length);
+  const std::size_t n = length.size();
+  std::vector<double> angle{0};
+  int lost = 0;
+  constexpr double least_step = 1e-14; // angles up to a full turn are known to about a tenth of that
+  for (std::size_t j = 0; j < n; ++j) {
+    const double step = length[j] * (density[j] + density[(j + 1) % n]) / 2;
+    lost += static_cast<int>(std::abs(step) < least_step);
+    angle.push_back(angle.back() + step);
+  }
+  if (lost > 0)
+    throw InputError("no disk in doubles holds this surface: " + std::to_string(lost) + " of " +
+                     std::to_string(n) +
+                     " boundary edges would be shorter than 1e-14 on the circle, as they lie so far from the "
+                     "center; another center may see them, and a second hole makes a ring of it");
+  const double total = angle.back();
+  angle.pop_back();
+  for (double& x : angle) x *= full_turn / total;
+  return angle;
+}
+
+} // namespace
 
 int innermost_vertex(const mesh::TriangleMesh& mesh) {
   const mesh::Surface& surface = mesh.surface;
@@ -50,22 +108,11 @@ CircularMap disk_map(const mesh::TriangleMesh& mesh, int center) {
   data[0][center] = -full_turn;
   const std::vector<double> flux = mesh::fluxes(surface, weight, solver.solve(data)[0]);
 
-  // Fluxes are averages of the density over both edges at a vertex, which is the speed of the angle.
-  const auto& sides = loops[0].sides;
-  const std::size_t n = sides.size();
-  std::vector<double> length;
-  length.reserve(n);
-  for (const mesh::SideEnd e : sides)
-    length.push_back(numeric::distance(mesh.points[surface.from(e.side)], mesh.points[surface.to(e.side)]));
-  const auto density = [&](std::size_t j) {
-    return 2 * flux[surface.vertex(sides[j % n])] / (length[j % n] + length[(j + n - 1) % n]);
-  };
+  const std::vector<double> angle = angles_round(mesh, loops[0], flux);
   data.assign(2, std::vector<double>(held.size(), 0.0));
-  double angle = 0;
-  for (std::size_t j = 0; j < n; ++j) {
-    data[0][surface.vertex(sides[j])] = std::cos(angle);
-    data[1][surface.vertex(sides[j])] = std::sin(angle);
-    angle += length[j] * (density(j) + density(j + 1)) / 2;
+  for (std::size_t j = 0; j < angle.size(); ++j) {
+    data[0][surface.vertex(loops[0].sides[j])] = std::cos(angle[j]);
+    data[1][surface.vertex(loops[0].sides[j])] = std::sin(angle[j]);
   }
   const mesh::LaplaceSolver::Columns position = solver.solve(data);
   CircularMap result;

@@ -15,20 +15,30 @@ namespace {
 
 using Complex = std::complex<double>;
 
-/// The numbers on one triangulation. `vertex` names the loops: they may be numbered otherwise here.
+/// The numbers on one triangulation.
 struct Level {
   std::vector<double> ring;
   std::vector<double> disk;
   bool found = false;
 };
 
-Level level(const mesh::TriangleMesh& mesh, const std::vector<int>& vertex, int outer, int inner) {
-  const OneForms forms(mesh, {}, Edges::intrinsic_delaunay);
+/// Outer, inner, then by the radius of the slit.
+std::vector<int> loops_in_order(const OneForms& forms, LoopPair pair) {
+  SlitMap map = slit_map(forms, pair.outer, pair.inner);
+  std::stable_sort(map.slits.begin(), map.slits.end(),
+                   [](const Slit& a, const Slit& b) { return a.radius > b.radius; });
+  std::vector<int> result{pair.outer, pair.inner};
+  for (const Slit& s : map.slits) result.push_back(s.loop);
+  return result;
+}
+
+/// `vertex` names the loops in their order: they may be numbered otherwise here.
+Level level(const OneForms& forms, const std::vector<int>& vertex, const Progress& progress) {
   std::vector<int> loop;
   loop.reserve(vertex.size());
-  for (const int v : vertex) loop.push_back(mesh::loop_through(forms.loops(), mesh.surface, v));
-  const SlitMap map = slit_map(forms, loop[outer], loop[inner]);
-  const CircularDomain domain = circular_domain(slit_ring(map));
+  for (const int v : vertex) loop.push_back(mesh::loop_through(forms.loops(), forms.mesh().surface, v));
+  const SlitMap map = slit_map(forms, loop[0], loop[1]);
+  const CircularDomain domain = circular_domain(slit_ring(map), {}, progress);
   Level result{{std::exp(-map.modulus)}, {domain.circles[1].radius}, domain.found};
   double origin = 0;
   Complex turn = 1;
@@ -89,21 +99,21 @@ void extrapolate(const std::vector<Level>& levels, const Numbers& numbers, std::
 
 } // namespace
 
-Fingerprint fingerprint(const mesh::TriangleMesh& mesh, int outer, int inner, int most_triangles,
+Fingerprint fingerprint(const mesh::TriangleMesh& mesh, std::optional<LoopPair> pair, int most_triangles,
                         const Progress& progress) {
-  std::vector<int> vertex;
-  for (const auto& loop : mesh::boundary_loops(mesh))
-    vertex.push_back(mesh.surface.vertex(loop.sides.front()));
-  for (const int loop : {outer, inner})
-    if (loop < 0 || loop >= static_cast<int>(vertex.size()))
-      throw InputError("there is no loop " + std::to_string(loop));
   Fingerprint result;
+  std::vector<int> vertex; // of each loop, in the order of the result
   std::vector<Level> levels;
   const double most = std::max(most_triangles, mesh.surface.triangle_count());
   mesh::TriangleMesh fine = mesh;
   while (true) {
     progress.step("triangulations", fine.surface.triangle_count() / (2 * most));
-    levels.push_back(level(fine, vertex, outer, inner));
+    const OneForms forms(fine, progress.silent(), Edges::intrinsic_delaunay);
+    if (levels.empty()) {
+      result.loops = loops_in_order(forms, pair ? *pair : farthest_loops(forms));
+      for (const int k : result.loops) vertex.push_back(mesh.surface.vertex(forms.loops()[k].sides.front()));
+    }
+    levels.push_back(level(forms, vertex, progress.silent()));
     result.triangles.push_back(fine.surface.triangle_count());
     result.found = result.found && levels.back().found;
     if (4.0 * fine.surface.triangle_count() > most) break;
@@ -116,20 +126,15 @@ Fingerprint fingerprint(const mesh::TriangleMesh& mesh, int outer, int inner, in
   return result;
 }
 
+std::vector<Circle> circles(const Fingerprint& fingerprint) {
+  std::vector<Circle> result{{0, 1, 0}, {0, fingerprint.disk.at(0), 0}};
+  for (std::size_t k = 1; k < fingerprint.disk.size(); k += 3)
+    result.push_back({{fingerprint.disk[k], fingerprint.disk[k + 1]}, fingerprint.disk[k + 2], 0});
+  return result;
+}
+
 double distance(const Fingerprint& a, const Fingerprint& b) {
-  if (a.disk.size() != b.disk.size())
-    throw InputError("fingerprints of " + std::to_string((a.disk.size() + 5) / 3) + " and " +
-                     std::to_string((b.disk.size() + 5) / 3) + " loops cannot be compared");
-  const auto center = [](const Fingerprint& f, std::size_t k) { return Complex(f.disk[k], f.disk[k + 1]); };
-  Complex product = 0;
-  for (std::size_t k = 1; k < a.disk.size(); k += 3) product += std::conj(center(a, k)) * center(b, k);
-  const Complex turn = product == 0.0 ? 1.0 : product / std::abs(product);
-  double squares = (a.disk[0] - b.disk[0]) * (a.disk[0] - b.disk[0]);
-  for (std::size_t k = 1; k < a.disk.size(); k += 3) {
-    const double radii = a.disk[k + 2] - b.disk[k + 2];
-    squares += std::norm(turn * center(a, k) - center(b, k)) + radii * radii;
-  }
-  return std::sqrt(squares);
+  return best_matchings(circles(a), circles(b)).front().distance;
 }
 
 } // namespace tetrarch::slit

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace tetrarch::slit {
 
@@ -98,17 +99,20 @@ void carry(LogCurve& curve, const Shift& shift, double gap) {
   for (std::size_t j = 0; j < curve.size(); ++j) curve.offset[j] += added[j] - mean;
 }
 
-std::vector<Complex> shift_of(const Shift& h, double reach, Complex center,
-                              const std::vector<Complex>& path) {
-  const TaylorSeries about_zero(h(TaylorSeries::path(-1.0, reach)), reach);
+ShiftKeepingZero::ShiftKeepingZero(Shift h, double reach, Complex center)
+    : h_(std::move(h)), reach_(reach), center_(center),
+      about_zero_(h_(TaylorSeries::path(-1.0, reach)), reach) {}
+
+std::vector<Complex> ShiftKeepingZero::operator()(const std::vector<Complex>& path) const {
   constexpr double small = 0.05;
   std::vector<Complex> w;
   w.reserve(path.size());
-  for (const Complex zeta : path) w.push_back(expm1(zeta - center));
-  std::vector<Complex> result = h(w);
+  for (const Complex zeta : path) w.push_back(expm1(zeta - center_));
+  std::vector<Complex> result = h_(w);
   for (std::size_t j = 0; j < path.size(); ++j) {
-    const Complex z = std::exp(path[j] - center);
-    result[j] = std::abs(z) < small * reach ? about_zero.slope(z) : (result[j] - about_zero.constant()) / z;
+    const Complex z = std::exp(path[j] - center_);
+    result[j] =
+        std::abs(z) < small * reach_ ? about_zero_.slope(z) : (result[j] - about_zero_.constant()) / z;
   }
   return log1p_along(std::move(result));
 }

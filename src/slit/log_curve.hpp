@@ -62,8 +62,21 @@ double gap(Complex zeta, const LogCurve& curve);
 void carry(LogCurve& curve, const Shift& shift, double gap);
 
 /// What w -> w + h(w) adds to zeta, w = expm1(zeta - center), once followed by the translation that keeps
-/// z = 0 in its place: log1p((h(w) - h(-1)) / (w + 1)). `h` is of order 1/w at infinity and takes paths;
-/// `reach` is the distance of -1 from its singularities. Near z = 0 it takes its series.
-std::vector<Complex> shift_of(const Shift& h, double reach, Complex center, const std::vector<Complex>& path);
+/// z = 0 in its place: log1p((h(w) - h(-1)) / (w + 1)). Near z = 0 it takes its series.
+class ShiftKeepingZero {
+public:
+  /// `h` is of order 1/w at infinity and takes paths; `reach` is the distance of -1 from its singularities.
+  ShiftKeepingZero(Shift h, double reach, Complex center);
+
+  std::vector<Complex> operator()(const std::vector<Complex>& path) const;
+  /// h(-1).
+  Complex translation() const { return about_zero_.constant(); }
+
+private:
+  Shift h_;
+  double reach_;
+  Complex center_;
+  TaylorSeries about_zero_;
+};
 
 } // namespace tetrarch::slit

@@ -5,10 +5,10 @@
 ///
 ///     z = exp(log r + i theta + f),   f = log(z / z_concentric) on the loops, harmonic inside
 ///
-/// z itself spans e^-modulus, and an extension of it would have an error against 1 everywhere. log r + i theta
-/// is the ring's own map and f is smooth and of order 1 throughout, so the error is relative to |z|. It is not
-/// relative to the distance from a circle that hangs on a long branch aside: such circles have logs of their
-/// own, about their own centers, and the maps are blended, each where it is the best one.
+/// z itself spans e^-modulus, and an extension of it would have an error against 1 everywhere. log r + i
+/// theta is the ring's own map and f is smooth and of order 1 throughout, so the error is relative to |z|. It
+/// is not relative to the distance from a circle that hangs on a long branch aside: such circles have logs of
+/// their own, about their own centers, and the maps are blended, each where it is the best one.
 
 #include "tetrarch/slit/circular_map.hpp"
 

@@ -3,6 +3,8 @@
 
 #include "tetrarch/core/error.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <map>
 #include <string>
 #include <utility>
@@ -34,12 +36,41 @@ std::vector<mesh::BoundaryLoop> loops_of(const mesh::TriangleMesh& mesh) {
   return loops;
 }
 
-/// What is 1 on loop k and 0 on the others, for k > 0.
-Columns indicators(const std::vector<int>& loop_of, std::size_t loops) {
-  Columns values(loops - 1, std::vector<double>(loop_of.size(), 0.0));
+/// What is 1 on loop k and 0 on the others.
+std::vector<double> indicator(const std::vector<int>& loop_of, int k) {
+  std::vector<double> values(loop_of.size(), 0.0);
   for (std::size_t v = 0; v < loop_of.size(); ++v)
-    if (loop_of[v] > 0) values[loop_of[v] - 1][v] = 1;
+    if (loop_of[v] == k) values[v] = 1;
   return values;
+}
+
+/// Said before any work begins: each loop but one takes two functions.
+void require_memory(std::size_t loops, int vertices) {
+  constexpr double budget = 16e9;
+  const double bytes = 8.0 * static_cast<double>(loops) *
+                       (2.0 * static_cast<double>(vertices) + 2.0 * static_cast<double>(loops));
+  if (bytes > budget)
+    throw InputError("slit maps of " + std::to_string(loops) + " boundary loops and " +
+                     std::to_string(vertices) + " vertices take " +
+                     std::to_string(std::llround(bytes / 1e9)) +
+                     " GB, two functions for each loop; at most 16 are allowed (fill small holes first)");
+}
+
+/// The solutions for right-hand sides 1 to n - 1, some at a time, so that a job can be stopped in between and
+/// no more of the right-hand sides than that are there at once. Number 0 is left empty.
+template <class RightSide>
+Columns solved_in_batches(const mesh::LaplaceSolver& solver, std::size_t n, const RightSide& right,
+                          const Progress& progress, double from, double to) {
+  constexpr std::size_t batch = 16;
+  Columns result(1);
+  for (std::size_t first = 1; first < n; first += batch) {
+    progress.step("harmonic functions",
+                  from + (to - from) * static_cast<double>(first) / static_cast<double>(n));
+    Columns data;
+    for (std::size_t k = first; k < std::min(first + batch, n); ++k) data.push_back(right(k));
+    for (auto& column : solver.solve(data)) result.push_back(std::move(column));
+  }
+  return result;
 }
 
 /// Of each function and each loop, the flux out through the loop. One pass over the sides, whatever the
@@ -140,6 +171,7 @@ double product(const Surface& surface, const std::vector<double>& weight, const 
 
 OneForms::OneForms(mesh::TriangleMesh mesh, const Progress& progress, Edges edges)
     : mesh_(std::move(mesh)), loops_(loops_of(mesh_)) {
+  require_memory(loops_.size(), mesh_.surface.vertex_count());
   const std::vector<int> loop_of = mesh::loops_of_vertices(loops_, mesh_.surface);
   strip_ = strips(mesh_.surface, loop_of, loops_.size(), start());
   std::vector<Jumps> jumping(loops_.size());
@@ -161,23 +193,25 @@ OneForms::OneForms(mesh::TriangleMesh mesh, const Progress& progress, Edges edge
   std::vector<char> held(loop_of.size(), 0);
   held[0] = 1;
   solver_.emplace(solved_on(), weight_, held);
-  Columns loads;
-  for (std::size_t k = 1; k < jumping.size(); ++k) loads.push_back(load_of(solved_on(), weight_, jumping[k]));
-  lag_ = solver_->solve(loads);
-  lag_.insert(lag_.begin(), std::vector<double>(loop_of.size(), 0.0));
+  lag_ = solved_in_batches(
+      *solver_, loops_.size(), [&](std::size_t k) { return load_of(solved_on(), weight_, jumping[k]); },
+      progress, 0.2, 0.5);
+  lag_[0].assign(loop_of.size(), 0.0);
   tau_product_.assign(loops_.size(), std::vector<double>(loops_.size(), 0.0));
-  for (std::size_t j = 1; j < loops_.size(); ++j)
+  for (std::size_t j = 1; j < loops_.size(); ++j, progress.step("harmonic functions", 0.5))
     for (std::size_t k = 1; k < loops_.size(); ++k)
       tau_product_[j][k] = product(solved_on(), weight_, jumping[j], lag_[k], jumping[k]);
 
   progress.step("harmonic functions", 0.5);
   for (std::size_t v = 0; v < held.size(); ++v) held[v] = static_cast<char>(loop_of[v] >= 0);
   solver_->hold(held);
-  potential_ = solver_->solve(indicators(loop_of, loops_.size()));
+  potential_ = solved_in_batches(
+      *solver_, loops_.size(), [&](std::size_t k) { return indicator(loop_of, static_cast<int>(k)); },
+      progress, 0.7, 1);
   std::vector<double> rest(loop_of.size(), 1.0);
-  for (const auto& f : potential_)
-    for (std::size_t v = 0; v < rest.size(); ++v) rest[v] -= f[v];
-  potential_.insert(potential_.begin(), std::move(rest));
+  for (std::size_t k = 1; k < potential_.size(); ++k)
+    for (std::size_t v = 0; v < rest.size(); ++v) rest[v] -= potential_[k][v];
+  potential_[0] = std::move(rest);
   flux_ = fluxes_through_loops(solved_on(), weight_, loop_of, potential_);
   progress.step("harmonic functions", 1);
 }

@@ -43,10 +43,12 @@ double extent(const std::vector<std::array<double, 3>>& points) {
   return result > 0 ? result : 1;
 }
 
-/// The same shape with its longest side about 1 long, and how long that side was: squares of e^-300
+/// The same shape with its longer sides about 1 long, and how long they were: squares of e^-300
 /// underflow.
 std::pair<numeric::FlatTriangle, double> of_size_one(numeric::FlatTriangle q) {
-  const double size = std::max({std::abs(q[1] - q[0]), std::abs(q[2] - q[1]), std::abs(q[0] - q[2])});
+  double size = 0;
+  for (const std::size_t c : {1, 2})
+    size = std::max({size, std::abs((q[c] - q[0]).real()), std::abs((q[c] - q[0]).imag())});
   return {{0.0, (q[1] - q[0]) / size, (q[2] - q[0]) / size}, size};
 }
 

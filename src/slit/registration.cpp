@@ -241,13 +241,13 @@ std::vector<Complex> carried_over(const OneForms& forms, const CircularMap& map,
 
 /// Vertices slide along B's circles.
 void unflip(const OneForms& forms, const CircularMap& map_a, const CircularMap& map_b,
-            const std::vector<int>& matching, Registration& result) {
+            const std::vector<int>& matching, Unflip which, Registration& result) {
   CircularMap image{map_a.loop, {}, result.position};
   for (const int k : map_a.loop) {
     const auto curve = std::find(map_b.loop.begin(), map_b.loop.end(), matching[k]) - map_b.loop.begin();
     image.domain.circles.push_back(map_b.domain.circles[static_cast<std::size_t>(curve)]);
   }
-  result.moved = unflip_in_disk(forms.mesh(), image).moved;
+  result.moved = unflip_in_disk(forms.mesh(), image, which).moved;
   result.position = image.position;
 }
 
@@ -275,9 +275,14 @@ bool is_flat(const numeric::FlatTriangle& p) {
   return !(numeric::twice_area(p) > flat * numeric::longest_squared(p));
 }
 
+/// Round holes have no room for ears: these are not called flipped.
+std::vector<int> flipped_in_disk(const mesh::TriangleMesh& a, const CircularMap& map_a,
+                                 const std::vector<Complex>& position) {
+  return distortion_in_disk(a, {map_a.loop, {}, position}).flipped;
+}
+
 /// Returns for each vertex a third of the area of the triangles around it.
 Eigen::VectorXd measure_distortion(const mesh::TriangleMesh& a, Registration& result) {
-  result.flipped = distortion_in_plane(a, result.position).flipped;
   std::vector<char> is_flipped(static_cast<std::size_t>(a.surface.triangle_count()), 0);
   for (const int t : result.flipped) is_flipped[t] = 1;
   Eigen::VectorXd share = Eigen::VectorXd::Zero(a.surface.vertex_count());
@@ -336,8 +341,12 @@ Registration registered(const OneForms& a, const CircularMap& map_a, const mesh:
   Registration result;
   result.turn = best_turn(from, to);
   result.position = carried_over(a, map_a, from, to, b.surface, map_b.position, result.turn);
-  if (options.unflip) unflip(a, map_a, map_b, matching, result);
+  if (options.unflip)
+    unflip(a, map_a, map_b, matching, Unflip::everywhere, result);
+  else if (options.unflip_at_slits)
+    unflip(a, map_a, map_b, matching, Unflip::at_slits, result);
   locate(a, to, b, map_b.position, result);
+  result.flipped = flipped_in_disk(a.mesh(), map_a, result.position);
   const Eigen::VectorXd share = measure_distortion(a.mesh(), result);
   compare(a.mesh(), share, options.aligned, result);
   return result;

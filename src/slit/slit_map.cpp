@@ -122,6 +122,36 @@ SlitMap slit_map(const OneForms& forms, int outer, int inner) {
   return map;
 }
 
+void require_radii(const SlitMap& map) {
+  constexpr double greatest = 700;
+  if (map.modulus < greatest) return;
+  throw InputError("the inner radius, e^-" + std::to_string(map.modulus) +
+                   ", is too small for a double; the surface is too long and thin for this domain (the "
+                   "cylindric and the parallel domain have room for it)");
+}
+
+LoopPair farthest_loops(const OneForms& forms) {
+  // The modulus is 2 pi times the effective resistance. Constants are the kernel of the fluxes; with a 1
+  // there the inverse gives resistances.
+  const int n = forms.loop_count();
+  Eigen::MatrixXd matrix(n, n);
+  double scale = 0;
+  for (int j = 0; j < n; ++j) scale = std::max(scale, forms.flux(j, j));
+  for (int j = 0; j < n; ++j)
+    for (int k = 0; k < n; ++k) matrix(j, k) = forms.flux(j, k) + scale / n;
+  const Eigen::MatrixXd inverse = matrix.ldlt().solve(Eigen::MatrixXd::Identity(n, n));
+  LoopPair best;
+  double greatest = -1;
+  for (int j = 0; j < n; ++j)
+    for (int k = 0; k < j; ++k)
+      if (const double resistance = inverse(j, j) + inverse(k, k) - 2 * inverse(j, k);
+          resistance > greatest) {
+        greatest = resistance;
+        best = forms.flux(j, j) > forms.flux(k, k) ? LoopPair{j, k} : LoopPair{k, j};
+      }
+  return best;
+}
+
 ParallelDomain parallel_domain(const mesh::Surface& surface, const SlitMap& map) {
   ParallelDomain domain;
   domain.corners.resize(static_cast<std::size_t>(surface.triangle_count()));

@@ -88,16 +88,15 @@ public:
     std::function<Complex(int, Complex)> kept;
   };
 
-  Drawing(const mesh::TriangleMesh& mesh, std::vector<Complex> along, std::vector<char> skipped)
+  /// Only the `judged` triangles are to be set right.
+  Drawing(const mesh::TriangleMesh& mesh, std::vector<Complex> along, std::vector<char> skipped,
+          std::vector<int> judged)
       : surface_(mesh.surface), along_(std::move(along)), skipped_(std::move(skipped)),
+        judged_(std::move(judged)), width_(skipped_.size(), 0.0),
         some_end_(static_cast<std::size_t>(surface_.vertex_count())) {
-    for (int t = 0; t < surface_.triangle_count(); ++t)
-      width_.push_back(width(numeric::laid_flat(mesh.points, surface_.corners(t))));
+    for (const int t : judged_) width_[t] = width(numeric::laid_flat(mesh.points, surface_.corners(t)));
     for (int k = 0; k < surface_.side_count(); ++k) some_end_[surface_.from(Side(k))] = {Side(k), true};
   }
-
-  /// Only triangles that touch one of these vertices count as wrong.
-  void restrict_to(std::vector<char> vertices) { near_ = std::move(vertices); }
 
   /// `moved` is told of each step of a vertex; the first moves are those given. Ends with the best drawing
   /// that was met: the fewest flipped triangles, then the fewest narrow ones.
@@ -149,10 +148,6 @@ private:
   /// longest side, as squares of small ones underflow.
   bool is_flipped(int t, double factor) const {
     if (skipped_[t]) return false;
-    if (!near_.empty()) {
-      const auto& v = surface_.corners(t);
-      if (near_[v[0]] == 0 && near_[v[1]] == 0 && near_[v[2]] == 0) return false;
-    }
     double longest = 0;
     for (const Side s : mesh::sides_of(t)) longest = std::max(longest, std::abs(along_[s.value]));
     const double width =
@@ -162,7 +157,7 @@ private:
 
   std::vector<int> flipped_among_all() const {
     std::vector<int> result;
-    for (int t = 0; t < surface_.triangle_count(); ++t)
+    for (const int t : judged_)
       if (is_flipped(t, flat)) result.push_back(t);
     return result;
   }
@@ -170,7 +165,7 @@ private:
   Count count() const {
     constexpr double rounding = 1e-12;
     Count result;
-    for (int t = 0; t < surface_.triangle_count(); ++t)
+    for (const int t : judged_)
       if (is_flipped(t, rounding))
         ++result.flipped;
       else if (is_flipped(t, flat))
@@ -245,9 +240,9 @@ private:
   const Surface& surface_;
   std::vector<Complex> along_;
   std::vector<char> skipped_;
-  std::vector<double> width_; ///< of each triangle in space
+  std::vector<int> judged_;
+  std::vector<double> width_; ///< of each judged triangle in space
   std::vector<mesh::SideEnd> some_end_;
-  std::vector<char> near_;
   std::vector<std::pair<int, Complex>> since_best_; ///< steps
   std::map<int, Complex> total_;                    ///< of each vertex that moved, up to the best drawing
 };
@@ -262,10 +257,9 @@ std::vector<Complex> differences(const Surface& surface, const std::vector<Compl
 /// Each vertex of a loop stays on the circle of its loop.
 Unflipped unflip_between_circles(const mesh::TriangleMesh& mesh, const std::vector<int>& loop,
                                  std::vector<Complex>& position, const std::vector<Circle>& circle_of_loop,
-                                 std::vector<char> skipped, std::vector<char> near = {},
+                                 std::vector<char> skipped, std::vector<int> judged,
                                  const std::map<int, Complex>& first_moves = {}) {
-  Drawing drawing(mesh, differences(mesh.surface, position), std::move(skipped));
-  drawing.restrict_to(std::move(near));
+  Drawing drawing(mesh, differences(mesh.surface, position), std::move(skipped), std::move(judged));
   const auto from_center = [&](int v) { return position[v] - circle_of_loop[loop[v]].center; };
   Drawing::Freedom freedom;
   freedom.slides = [&](int v) {
@@ -280,25 +274,47 @@ Unflipped unflip_between_circles(const mesh::TriangleMesh& mesh, const std::vect
       freedom, [&](int v, Complex step) { position[v] += step; }, first_moves);
 }
 
-/// The vertices of all slits, if only those are to be set right.
-std::vector<char> on_slits(const std::vector<int>& loop, int outer, int inner, Unflip which) {
-  if (which == Unflip::everywhere) return {};
-  std::vector<char> result;
-  result.reserve(loop.size());
-  for (const int k : loop) result.push_back(static_cast<char>(k >= 0 && k != outer && k != inner));
+/// The triangles that are to be set right: all but those skipped, or those that touch a slit.
+std::vector<int> judged_triangles(const Surface& surface, const std::vector<char>& skipped,
+                                  const std::vector<int>& loop, int outer, int inner, Unflip which) {
+  std::vector<int> result;
+  const auto is_on_slit = [&](int v) { return loop[v] >= 0 && loop[v] != outer && loop[v] != inner; };
+  for (int t = 0; t < surface.triangle_count(); ++t) {
+    const auto& v = surface.corners(t);
+    if (!skipped[t] &&
+        (which == Unflip::everywhere || is_on_slit(v[0]) || is_on_slit(v[1]) || is_on_slit(v[2])))
+      result.push_back(t);
+  }
   return result;
+}
+
+/// Whether any of them is turned over, which decides before anything is set up for its repair.
+template <class Image>
+bool any_flipped(const std::vector<int>& triangles, const Image& image) {
+  return std::any_of(triangles.begin(), triangles.end(), [&](int t) {
+    const numeric::FlatTriangle p = image(t);
+    const double size = std::max(std::abs(p[1] - p[0]), std::abs(p[2] - p[0]));
+    return !(numeric::cross((p[1] - p[0]) / size, (p[2] - p[0]) / size) > 0);
+  });
 }
 
 } // namespace
 
 Unflipped unflip_on_cylinder(const OneForms& forms, SlitMap& map, Unflip which) {
   const std::vector<int> loop = mesh::loops_of_vertices(forms.loops(), forms.mesh().surface);
+  std::vector<char> skipped = ears(forms);
+  std::vector<int> judged =
+      judged_triangles(forms.mesh().surface, skipped, loop, map.outer, map.inner, which);
+  const auto image = [&](int t) {
+    const auto value = [&](Side s) { return Complex(map.form.real[s.value], map.form.imaginary[s.value]); };
+    return numeric::FlatTriangle{0.0, value(Side(t, 2)), -value(Side(t, 1))};
+  };
+  if (which == Unflip::at_slits && !any_flipped(judged, image)) return {};
   std::map<int, Complex> ordered;
   for (const auto& [v, shift] : shifts_into_order(forms, map)) ordered[v] = {0, shift};
   std::vector<Complex> along(map.form.real.size());
   for (std::size_t s = 0; s < along.size(); ++s) along[s] = {map.form.real[s], map.form.imaginary[s]};
-  Drawing drawing(forms.mesh(), std::move(along), ears(forms));
-  drawing.restrict_to(on_slits(loop, map.outer, map.inner, which));
+  Drawing drawing(forms.mesh(), std::move(along), std::move(skipped), std::move(judged));
   Drawing::Freedom freedom;
   freedom.slides = [&](int v) { return loop[v] < 0 ? Complex(0) : Complex(0, 1); };
   freedom.kept = [](int, Complex step) { return step; };
@@ -318,6 +334,14 @@ Unflipped unflip_on_cylinder(const OneForms& forms, SlitMap& map, Unflip which) 
 
 Unflipped unflip_on_ring(const OneForms& forms, SlitMap& map, Unflip which) {
   const Surface& surface = forms.mesh().surface;
+  const std::vector<int> loop = mesh::loops_of_vertices(forms.loops(), surface);
+  std::vector<char> skipped = ears(forms);
+  std::vector<int> judged = judged_triangles(surface, skipped, loop, map.outer, map.inner, which);
+  const auto image = [&](int t) {
+    const auto& v = surface.corners(t);
+    return numeric::FlatTriangle{map.concentric(v[0]), map.concentric(v[1]), map.concentric(v[2])};
+  };
+  if (which == Unflip::at_slits && !any_flipped(judged, image)) return {};
   std::vector<Complex> position;
   position.reserve(forms.mesh().points.size());
   for (int v = 0; v < surface.vertex_count(); ++v) position.push_back(map.concentric(v));
@@ -326,9 +350,8 @@ Unflipped unflip_on_ring(const OneForms& forms, SlitMap& map, Unflip which) {
     ordered[v] = position[v] * (std::polar(1.0, shift) - 1.0);
   const std::vector<Circle> about_origin(forms.loops().size(), Circle{0, 1, 0});
   const std::vector<Complex> before = position;
-  const std::vector<int> loop = mesh::loops_of_vertices(forms.loops(), surface);
-  const Unflipped result = unflip_between_circles(forms.mesh(), loop, position, about_origin, ears(forms),
-                                                  on_slits(loop, map.outer, map.inner, which), ordered);
+  const Unflipped result = unflip_between_circles(forms.mesh(), loop, position, about_origin,
+                                                  std::move(skipped), std::move(judged), ordered);
   std::vector<Complex> shift(position.size(), 0.0);
   for (std::size_t v = 0; v < position.size(); ++v) {
     if (position[v] == before[v]) continue;
@@ -351,8 +374,14 @@ Unflipped unflip_in_disk(const mesh::TriangleMesh& mesh, CircularMap& map, Unfli
   for (std::size_t k = 0; k < map.loop.size(); ++k) circle[map.loop[k]] = map.domain.circles[k];
   const std::vector<int> loop = mesh::loops_of_vertices(loops, mesh.surface);
   const int inner = map.loop.size() > 1 ? map.loop[1] : map.loop[0];
-  return unflip_between_circles(mesh, loop, map.position, circle, ears_in_disk(mesh, map),
-                                on_slits(loop, map.loop[0], inner, which));
+  std::vector<char> skipped = ears_in_disk(mesh, map);
+  std::vector<int> judged = judged_triangles(mesh.surface, skipped, loop, map.loop[0], inner, which);
+  const auto image = [&](int t) {
+    const auto& v = mesh.surface.corners(t);
+    return numeric::FlatTriangle{map.position[v[0]], map.position[v[1]], map.position[v[2]]};
+  };
+  if (which == Unflip::at_slits && !any_flipped(judged, image)) return {};
+  return unflip_between_circles(mesh, loop, map.position, circle, std::move(skipped), std::move(judged));
 }
 
 } // namespace tetrarch::slit

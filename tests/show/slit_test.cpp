@@ -91,8 +91,8 @@ TEST_CASE("Textures across the seam are no wider than triangles are", "[scene]")
     sum += ((q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0])) / 2;
     CHECK(std::max({p[0], q[0], r[0]}) - std::min({p[0], q[0], r[0]}) < 0.3);
   }
-  // The unit square, counter-clockwise.
-  CHECK(sum == Approx(1));
+  // A rectangle of width 1, counter-clockwise: both axes have one scale.
+  CHECK(sum == Approx(map.modulus / (2 * std::numbers::pi)));
 }
 
 TEST_CASE("The OBJ has the vertices and triangles of the surface in their order", "[scene]") {

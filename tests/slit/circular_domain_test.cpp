@@ -218,6 +218,42 @@ TEST_CASE("The first opening alone makes a circle of its slit, and of no other",
   CHECK(roundness(2, 2) > 1e-3);
 }
 
+TEST_CASE("One slit far from both circles becomes the circle that its arc's capacity gives", "[slit]") {
+  // The map of the outside of an arc of angle a on the unit circle that is z + const at infinity and keeps 0:
+  // the radius is the capacity of the arc, sin(a / 4), and by the symmetry z -> 1 / conj(z), which exchanges
+  // 0 and infinity, the center is 1 and the derivative at 0 cos(a / 4)^2. The circles of the ring are e^-150
+  // away: they do not feel the slit, nor it them.
+  for (const double angle : {1e-11, 1e-6, 0.5, 3.0, 5.5}) {
+    const CircularDomain domain = circular_domain({std::exp(-300.0), {{std::exp(-150.0), 0, angle}}});
+    REQUIRE(domain.found);
+    const Circle& circle = domain.circles.at(2);
+    CHECK(circle.radius / std::abs(circle.center) == Approx(std::sin(angle / 4)).epsilon(1e-11));
+    CHECK(std::log(std::abs(circle.center)) == Approx(-150).epsilon(1e-14));
+    CHECK(std::log(domain.circles[1].radius) + 300 ==
+          Approx(2 * std::log(std::cos(angle / 4))).margin(1e-12));
+  }
+}
+
+TEST_CASE("Far from both ends of a long ring slits do not feel where they are", "[slit]") {
+  const auto ring = [](double length) {
+    const double middle = std::exp(-length / 2);
+    return SlitRing{std::exp(-length), {{middle, 0, 2}, {middle * 0.7, 1, 1.001}, {middle * 0.6, 3, 4}}};
+  };
+  // Circles of the ring at e^-35 and less change nothing that doubles hold.
+  const CircularDomain near = circular_domain(ring(70));
+  for (const double length : {200.0, 690.0}) {
+    const CircularDomain far = circular_domain(ring(length));
+    REQUIRE(far.found);
+    for (std::size_t k = 2; k < 5; ++k) {
+      const Complex place = far.circles[k].center / far.circles[2].center;
+      const Complex known = near.circles[k].center / near.circles[2].center;
+      CHECK(std::abs(place - known) < 1e-10);
+      CHECK(far.circles[k].radius / far.circles[2].radius ==
+            Approx(near.circles[k].radius / near.circles[2].radius).epsilon(1e-10));
+    }
+  }
+}
+
 TEST_CASE("Impossible slits are refused", "[slit]") {
   CHECK_THROWS_AS(circular_domain({0, {}}), PreconditionError);
   CHECK_THROWS_AS(circular_domain({0.5, {{0.4, 0, 1}}}), PreconditionError);

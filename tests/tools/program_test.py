@@ -1174,7 +1174,9 @@ class Slit(InFolder):
     def test_fingerprints(self):
         _, made = run_json("slit", self.ring, "--fingerprint", "--distance", self.ring)
         found = made["fingerprint"]
-        self.assertEqual(made["distance"], 0)
+        self.assertLess(made["distance"], 1e-12)
+        self.assertEqual((made["matching"], made["mirrored"]), ([0, 1, 2], False))
+        self.assertEqual(sorted([found["outer"], found["inner"], found["ring"]["slits"][0]["loop"]]), [0, 1, 2])
         self.assertEqual(found["triangles"], [286 * 4 ** k for k in range(6)])
         numbers = [found["ring"]["inner_radius"], found["disk"]["inner_radius"]]
         numbers += [found["ring"]["slits"][0][k] for k in ("radius", "start", "end")]
@@ -1182,6 +1184,44 @@ class Slit(InFolder):
         self.assertTrue(all(n["error"] < 5e-4 for n in numbers), numbers)
         torus = os.path.join(SOURCE, "tests/data/mesh/double_torus.off")
         self.assertIn("two holes", self.refused(self.ring, "--distance", torus))
+        # Seen from behind: the mirror image, which any three circles are equal to.
+        with open(self.ring, encoding="utf-8") as file:
+            lines = file.read().splitlines()
+        n = int(lines[1].split()[0])
+        turned = [" ".join(["3"] + line.split()[:0:-1]) for line in lines[2 + n:] if line.split()]
+        behind = self.path("behind.off", "\n".join(lines[:2 + n] + turned) + "\n")
+        _, mirrored = run_json("slit", self.ring, "--distance", behind, "--mirror")
+        self.assertLess(mirrored["distance"], 1e-3)
+
+    def test_long_surfaces(self):
+        """Tubes of n triangles round: inverted, or NaN, when z itself was extended."""
+        def tube(rings):
+            points, triangles = [], []
+            for i in range(rings + 1):
+                points += ["%r %r %d" % (math.cos(2 * math.pi * j / 5), math.sin(2 * math.pi * j / 5), i) for j in range(5)]
+            for i in range(rings):
+                for j in range(5):
+                    a, b = 5 * i + j, 5 * i + (j + 1) % 5
+                    triangles += ["3 %d %d %d" % (a, b, b + 5), "3 %d %d %d" % (a, b + 5, a + 5)]
+            return self.path("tube.off", "OFF\n%d %d 0\n" % (len(points), len(triangles)) + "\n".join(points + triangles) + "\n")
+        # Linear in height: the modulus of the prism of this polygon is 2 pi height / circumference, exactly.
+        around = 10 * math.sin(math.pi / 5)
+        for rings in (3, 40, 600):
+            code, made = run_json("slit", tube(rings), "--domain", "circular", "-o", self.path("tube.obj"))
+            self.assertEqual((code, made["flipped"], made["converged"]), (0, 0, True))
+            self.assertAlmostEqual(made["modulus"] / (2 * math.pi * rings / around), 1, delta=1e-9)
+            self.assertAlmostEqual(math.log(made["circles"][1]["radius"]) / -made["modulus"], 1, delta=1e-9)
+        self.assertEqual(made["texture"], {"scale": 0.5, "shift": 0.0})
+        self.assertIn("too small for a double", self.refused(tube(700), "--domain", "circular"))
+        code, made = run_json("slit", tube(700), "--domain", "parallel")
+        self.assertEqual((code, made["flipped"], made["texture"]["scale"]), (0, 0, 1 / (2 * math.pi)))
+
+    def test_needles_leave_no_nan(self):
+        """A flat ring squashed to a thousand millionth: lengths of its edges leave triangles no area."""
+        rows = ["%r %r 0" % (r * math.cos(j * math.pi / 4), 1e-9 * r * math.sin(j * math.pi / 4)) for r in (2, 1) for j in range(8)]
+        faces = ["3 %d %d %d\n3 %d %d %d" % (j, (j + 1) % 8, 8 + j, (j + 1) % 8, 8 + (j + 1) % 8, 8 + j) for j in range(8)]
+        path = self.path("squashed.off", "OFF\n16 16 0\n" + "\n".join(rows + faces) + "\n")
+        self.assertIn("no area", self.refused(path, "--intrinsic", "--domain", "cylindric"))
 
     def test_surfaces_are_opened_first(self):
         torus = os.path.join(SOURCE, "tests/data/mesh/double_torus.off")

@@ -72,8 +72,9 @@ void luo_flow(benchmark::State& state) {
 BENCHMARK(luo_flow)->Unit(benchmark::kMillisecond);
 
 void refine_to_60_digits(benchmark::State& state) {
-  over_all_gluings(
-      state, [](const Gluing3& g) { benchmark::DoNotOptimize(refine<numeric::Real50>(g.skeleton, g.structure)); });
+  over_all_gluings(state, [](const Gluing3& g) {
+    benchmark::DoNotOptimize(refine<numeric::Real50>(g.skeleton, g.structure));
+  });
 }
 BENCHMARK(refine_to_60_digits)->Unit(benchmark::kMillisecond);
 

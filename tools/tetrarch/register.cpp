@@ -9,10 +9,13 @@
 #include "tetrarch/format/mesh_json.hpp"
 #include "tetrarch/format/text.hpp"
 #include "tetrarch/scene/files.hpp"
+#include "tetrarch/slit/matching.hpp"
 #include "tetrarch/slit/registration.hpp"
 #include "tetrarch/slit/unflip.hpp"
 
+#include <algorithm>
 #include <memory>
+#include <optional>
 #include <sstream>
 
 namespace tetrarch::program {
@@ -21,8 +24,8 @@ namespace {
 struct Options {
   std::string first;
   std::string second;
-  std::string outer = "0";
-  std::string inner = "1";
+  std::string outer;
+  std::string inner;
   std::string match;
   std::string resampled;
   std::string average;
@@ -51,10 +54,6 @@ Input read(const std::string& path, const Doctor& doctor, Result& result, const 
 /// Of each loop of the first surface the loop of the second one.
 std::vector<int> matching(const Options& options, const Input& first, const Input& second) {
   std::vector<int> result;
-  if (options.match.empty()) {
-    for (int k = 0; k < static_cast<int>(first.loops.size()); ++k) result.push_back(k);
-    return result;
-  }
   std::istringstream words(options.match);
   for (std::string word; std::getline(words, word, ',');)
     result.push_back(loop_named(word, "--match", second.surface, second.loops));
@@ -76,7 +75,7 @@ slit::OneForms one_forms(const Input& input, const std::string& path, const Prog
 
 slit::CircularMap circles(const slit::OneForms& forms, int outer, int inner, bool unflip, Result& result) {
   slit::CircularMap map = slit::circular_map(forms, slit::slit_map(forms, outer, inner));
-  if (unflip) slit::unflip_in_disk(forms.mesh(), map);
+  slit::unflip_in_disk(forms.mesh(), map, unflip ? slit::Unflip::everywhere : slit::Unflip::at_slits);
   if (!map.domain.found) {
     result.status = Status::undecided;
     result.warnings.emplace_back("the budget of rounds ended before the circles became round");
@@ -84,8 +83,89 @@ slit::CircularMap circles(const slit::OneForms& forms, int outer, int inner, boo
   return map;
 }
 
-void tell(Result& result, const slit::Registration& r, const std::vector<int>& match) {
+/// Of each loop of the first surface the loop of the second one, with what is known of it.
+struct Candidate {
+  std::vector<int> match;
+  double distance = 0; ///< between the circular domains
+};
+
+/// The matchings between which circles do not decide, the best one first, and one more.
+std::vector<Candidate> candidates(const slit::CircularMap& a, const slit::CircularMap& b) {
+  std::vector<Candidate> result;
+  for (const slit::Matching& m : slit::best_matchings(a.domain.circles, b.domain.circles)) {
+    Candidate c{std::vector<int>(a.loop.size()), m.distance};
+    for (std::size_t k = 0; k < a.loop.size(); ++k)
+      c.match[a.loop[k]] = b.loop[static_cast<std::size_t>(m.to[k])];
+    result.push_back(std::move(c));
+  }
+  return result;
+}
+
+/// Circles of surfaces that are the same come as near as triangles let them.
+bool is_as_good(const Candidate& c, const Candidate& best) {
+  constexpr double noise = 2e-3;
+  return c.distance < 2 * best.distance + noise;
+}
+
+/// A registration, how its loops were matched, and what to say of that.
+struct Found {
+  slit::Registration registration;
+  std::vector<int> match;
+  Json search; ///< null if the matching was given
+  std::string text;
+};
+
+/// Whether a registration is clearly more conformal than another, or about as conformal and closer in space.
+/// Angles come first, as the sizes of the surfaces may differ and bends are no fault.
+bool is_better(const slit::Registration& r, const slit::Registration& than) {
+  const auto score = [](const slit::Registration& one) {
+    constexpr double flipped = 10; // stands for the ratio of axes of a flipped triangle
+    const auto n = static_cast<double>(std::max<std::size_t>(one.quasi_conformal.size(), 1));
+    return one.mean_quasi_conformal - 1 + flipped * static_cast<double>(one.flipped.size()) / n;
+  };
+  constexpr double clearly = 0.9;
+  constexpr double rounding = 1e-9;
+  if (score(r) < clearly * score(than) - rounding) return true;
+  return score(than) >= clearly * score(r) - rounding && r.mean_distance < than.mean_distance;
+}
+
+/// Tries all matchings that circles allow, and takes the most conformal one; of equal ones that by which the
+/// surfaces come closest in space.
+Found searched(const slit::OneForms& a, const slit::CircularMap& map_a, const slit::OneForms& b,
+               slit::RegistrationOptions how, Result& result) {
+  const slit::LoopPair pair = slit::farthest_loops(b);
+  std::vector<Candidate> all = candidates(map_a, circles(b, pair.outer, pair.inner, false, result));
+  const auto end =
+      std::find_if(all.begin(), all.end(), [&](const Candidate& c) { return !is_as_good(c, all.front()); });
+  const std::size_t tried = static_cast<std::size_t>(end - all.begin());
+  std::optional<Found> best;
+  for (std::size_t k = 0; k < tried; ++k) {
+    how.matching = all[k].match;
+    const slit::CircularMap map_b =
+        circles(b, how.matching[map_a.loop[0]], how.matching[map_a.loop[1]], how.unflip, result);
+    slit::Registration r = slit::registered(a, map_a, b.mesh(), map_b, how);
+    if (best && !is_better(r, best->registration)) continue;
+    best = Found{std::move(r),
+                 all[k].match,
+                 {{"distance", all[k].distance},
+                  {"tried", tried},
+                  {"next_distance", end == all.end() ? Json() : Json(end->distance)}},
+                 "circles differ by " + scientific(all[k].distance, 1)};
+  }
+  if (end != all.end()) best->text += ", by the next best matching by " + scientific(end->distance, 1);
+  if (tried > 1)
+    result.warnings.push_back(
+        counted(static_cast<long long>(tried), "matching") +
+        " of the loops fit the circles; the most conformal one was taken, or of equal ones "
+        "the closest in space (--match chooses another)");
+  return std::move(*best);
+}
+
+void tell(Result& result, const Found& found) {
+  const slit::Registration& r = found.registration;
+  const std::vector<int>& match = found.match;
   result.json = {{"matching", match},
+                 {"search", found.search},
                  {"mean_quasiconformal", r.mean_quasi_conformal},
                  {"max_quasiconformal", r.max_quasi_conformal},
                  {"mean_distance", r.mean_distance},
@@ -99,6 +179,7 @@ void tell(Result& result, const slit::Registration& r, const std::vector<int>& m
   const auto flipped = static_cast<long long>(r.flipped.size());
   result.text =
       block({{"loops", joined(pairs, ", ")},
+             {"matching", found.text},
              {"quasi-conformal",
               "mean " + fixed(r.mean_quasi_conformal, 4) + ", greatest " + fixed(r.max_quasi_conformal, 4)},
              {"distances", "mean " + rounded(r.mean_distance) + ", greatest " + rounded(r.max_distance)},
@@ -153,19 +234,29 @@ Result run_register(const Options& options, const Context& context) {
     throw InputError({options.second, 0},
                      "has " + counted(static_cast<long long>(second.loops.size()), "boundary loop") +
                          ", but " + options.first + " has " + std::to_string(first.loops.size()));
-  const int outer = loop_named(options.outer, "--outer", first.surface, first.loops);
-  const int inner = loop_named(options.inner, "--inner", first.surface, first.loops);
   const slit::OneForms a = one_forms(first, options.first, context.progress);
   const slit::OneForms b = one_forms(second, options.second, context.progress);
+  slit::LoopPair pair = slit::farthest_loops(a);
+  if (!options.outer.empty() || !options.inner.empty())
+    pair = {loop_named(options.outer.empty() ? "0" : options.outer, "--outer", first.surface, first.loops),
+            loop_named(options.inner.empty() ? "1" : options.inner, "--inner", first.surface, first.loops)};
   slit::RegistrationOptions how;
-  how.matching = matching(options, first, second);
   how.aligned = !options.as_placed;
   how.unflip = options.unflip;
-  const slit::CircularMap map_a = circles(a, outer, inner, options.unflip, result);
-  const slit::CircularMap map_b =
-      circles(b, how.matching[outer], how.matching[inner], options.unflip, result);
-  const slit::Registration r = slit::registered(a, map_a, b.mesh(), map_b, how);
-  tell(result, r, how.matching);
+  how.unflip_at_slits = true;
+  const slit::CircularMap map_a = circles(a, pair.outer, pair.inner, options.unflip, result);
+  Found found;
+  if (options.match.empty()) {
+    found = searched(a, map_a, b, how, result);
+  } else {
+    how.matching = found.match = matching(options, first, second);
+    found.text = "given";
+    const slit::CircularMap map_b =
+        circles(b, how.matching[pair.outer], how.matching[pair.inner], options.unflip, result);
+    found.registration = slit::registered(a, map_a, b.mesh(), map_b, how);
+  }
+  const slit::Registration& r = found.registration;
+  tell(result, found);
   if (context.values != nullptr)
     result.value = std::make_shared<Value>(document(r.resampled, a.mesh(), r, options));
   if (!options.resampled.empty())
@@ -184,16 +275,15 @@ Run declare_register(OptionTable& table) {
   table
       .add("--match", o->match,
            "the loop of SECOND that matches each boundary loop of FIRST, such as 0,2,1 or v3,v17,v20 "
-           "(default: the loop of the same number)")
+           "(default: found by the circles of both)")
       .value_name("LIST");
   table
       .add("--outer", o->outer,
-           "the loop of FIRST that becomes the outer circle of the disk, named as for slit")
-      .value_name("LOOP")
-      .with_default();
+           "the loop of FIRST that becomes the outer circle of the disk, named as for slit (default: with "
+           "--inner, the two loops of greatest modulus)")
+      .value_name("LOOP");
   table.add("--inner", o->inner, "the loop of FIRST that becomes a circle about the center of the disk")
-      .value_name("LOOP")
-      .with_default();
+      .value_name("LOOP");
   table.add("--unflip", o->unflip, "move vertices in the disks until no triangle is inverted");
   table.add("--as-placed", o->as_placed,
             "compare and average the surfaces in place, without moving SECOND to FIRST");

@@ -30,14 +30,15 @@ struct Options {
   std::string input;
   std::vector<std::string> outputs;
   std::string domain = "concentric";
-  std::string outer = "0";
-  std::string inner = "1";
+  std::string outer;
+  std::string inner;
   std::string center;
   std::string method = "harmonic";
   Openings openings;
   bool list_loops = false;
   bool fingerprint = false;
   std::string distance;
+  bool mirror = false;
   bool unflip = false;
   bool intrinsic = false;
   int stage = -1;
@@ -99,24 +100,18 @@ void add(Made& made, const slit::Distortion& distortion) {
 Made make_slits(const slit::OneForms& forms, slit::SlitMap map, const Options& options) {
   const SlitDomain domain = domain_named(options.domain);
   const bool on_ring = domain == SlitDomain::concentric;
+  if (on_ring) in_file(options.input, [&] { slit::require_radii(map); });
   Made made;
   made.mesh = forms.mesh();
   made.report = map_report(map, on_ring);
   // Vertices that are moved later are no longer harmonic.
   const slit::Residuals residuals = slit::residuals(forms, map);
-  const auto distortion = [&] {
-    return on_ring ? slit::distortion_on_ring(forms, map) : slit::distortion_on_cylinder(forms, map);
-  };
-  slit::Distortion found = distortion();
-  if (options.unflip || !found.flipped.empty()) {
-    // A slit turns back between vertices, whatever the mesh is: that much is always put right.
-    const slit::Unflip which = options.unflip ? slit::Unflip::everywhere : slit::Unflip::at_slits;
-    const slit::Unflipped moved =
-        on_ring ? slit::unflip_on_ring(forms, map, which) : slit::unflip_on_cylinder(forms, map, which);
-    made.report.add(unflipped_report(moved));
-    found = distortion();
-  }
-  add(made, found);
+  // A slit turns back between vertices, whatever the mesh is: that much is always put right.
+  const slit::Unflip which = options.unflip ? slit::Unflip::everywhere : slit::Unflip::at_slits;
+  const slit::Unflipped moved =
+      on_ring ? slit::unflip_on_ring(forms, map, which) : slit::unflip_on_cylinder(forms, map, which);
+  if (options.unflip || moved.moved > 0) made.report.add(unflipped_report(moved));
+  add(made, on_ring ? slit::distortion_on_ring(forms, map) : slit::distortion_on_cylinder(forms, map));
   made.report.add(residuals_report(residuals));
   made.fields.vertices = {{"log_radius", map.log_radius}, {"angle", map.angle}};
   for (int k = 0; k < forms.loop_count(); ++k)
@@ -136,13 +131,10 @@ Made make_circles(mesh::TriangleMesh mesh, slit::CircularMap map, const Options&
   made.found = map.domain.found;
   if (!made.found)
     made.report.warnings.emplace_back("the budget of rounds ended before the circles became round");
-  slit::Distortion distortion = slit::distortion_in_disk(made.mesh, map);
-  if (options.unflip || !distortion.flipped.empty()) {
-    const slit::Unflip which = options.unflip ? slit::Unflip::everywhere : slit::Unflip::at_slits;
-    made.report.add(unflipped_report(slit::unflip_in_disk(made.mesh, map, which)));
-    distortion = slit::distortion_in_disk(made.mesh, map);
-  }
-  add(made, distortion);
+  const slit::Unflip which = options.unflip ? slit::Unflip::everywhere : slit::Unflip::at_slits;
+  const slit::Unflipped moved = slit::unflip_in_disk(made.mesh, map, which);
+  if (options.unflip || moved.moved > 0) made.report.add(unflipped_report(moved));
+  add(made, slit::distortion_in_disk(made.mesh, map));
   made.layout = show::disk_layout(made.mesh, map.position);
   return made;
 }
@@ -176,21 +168,16 @@ show::Layout stage_layout(const slit::OneForms& forms, const slit::SlitMap& map,
 }
 
 /// The loops that become circles.
-struct Chosen {
-  int outer = 0;
-  int inner = 1;
-};
-
-Chosen chosen(const mesh::OpenedMesh& surface, const std::vector<mesh::BoundaryLoop>& loops,
-              const Options& options) {
-  return {loop_named(options.outer, "--outer", surface, loops),
-          loop_named(options.inner, "--inner", surface, loops)};
+slit::LoopPair chosen(const mesh::OpenedMesh& surface, const std::vector<mesh::BoundaryLoop>& loops,
+                      const Options& options) {
+  return {loop_named(options.outer.empty() ? "0" : options.outer, "--outer", surface, loops),
+          loop_named(options.inner.empty() ? "1" : options.inner, "--inner", surface, loops)};
 }
 
 Made make(const mesh::OpenedMesh& surface, const std::vector<mesh::BoundaryLoop>& loops,
           const Options& options, const Progress& progress) {
   if (loops.size() == 1) return make_disk(surface, options);
-  const Chosen circles = chosen(surface, loops, options);
+  const slit::LoopPair circles = chosen(surface, loops, options);
   if (options.is_ricci()) {
     Made made = make_circles(
         surface.mesh,
@@ -217,7 +204,8 @@ Made make(const mesh::OpenedMesh& surface, const std::vector<mesh::BoundaryLoop>
     return made;
   }
   if (!options.is_circular()) return make_slits(forms, std::move(map), options);
-  const slit::CircularMap circular = slit::circular_map(forms, map);
+  const slit::CircularMap circular =
+      in_file(options.input, [&] { return slit::circular_map(forms, map, {}, progress); });
   Made made = make_circles(surface.mesh, circular, options);
   Report slits = map_report(map, true);
   slits.add(std::move(made.report));
@@ -244,34 +232,53 @@ void check_type(const mesh::Surface& surface, const Options& options) {
                        " at least, but this surface has type " + type.str() + way_on(type));
 }
 
-slit::Fingerprint fingerprint(const mesh::OpenedMesh& surface, Chosen loops, const std::string& path,
-                              const Progress& progress) {
+slit::Fingerprint fingerprint(const mesh::OpenedMesh& surface, std::optional<slit::LoopPair> pair,
+                              const std::string& path, const Progress& progress) {
   constexpr int most_triangles = 500'000;
-  return in_file(path, [&] {
-    return slit::fingerprint(surface.mesh, loops.outer, loops.inner, most_triangles, progress);
-  });
+  return in_file(path, [&] { return slit::fingerprint(surface.mesh, pair, most_triangles, progress); });
+}
+
+/// Told: the distance, and which loop is which.
+Report distance_report(const slit::Fingerprint& own, const slit::Fingerprint& other, bool with_mirror) {
+  slit::MatchingOptions how;
+  how.with_mirror_images = with_mirror;
+  const std::vector<slit::Matching> found =
+      slit::best_matchings(slit::circles(own), slit::circles(other), how);
+  const slit::Matching& best = found.front();
+  std::vector<int> matching(own.loops.size());
+  std::vector<std::string> pairs;
+  for (std::size_t k = 0; k < own.loops.size(); ++k)
+    matching[own.loops[k]] = other.loops[static_cast<std::size_t>(best.to[k])];
+  for (std::size_t k = 0; k < matching.size(); ++k)
+    pairs.push_back(std::to_string(k) + " to " + std::to_string(matching[k]));
+  Report report;
+  report.json = {{"distance", best.distance},
+                 {"matching", matching},
+                 {"mirrored", best.mirrored},
+                 {"second_distance", found.size() > 1 ? Json(found[1].distance) : Json()}};
+  report.rows = {{"distance", fixed(best.distance, 6)},
+                 {"loops", joined(pairs, ", ") + (best.mirrored ? ", mirrored" : "")}};
+  if (found.size() > 1)
+    report.rows.emplace_back("next best", fixed(found[1].distance, 6) + ", by another matching");
+  return report;
 }
 
 Result run_fingerprint(const mesh::OpenedMesh& surface, const std::vector<mesh::BoundaryLoop>& loops,
                        const Options& options, Report report, const Context& context) {
-  const Chosen circles = chosen(surface, loops, options);
-  const slit::Fingerprint own = fingerprint(surface, circles, options.input, context.progress);
-  std::vector<int> slits;
-  for (int k = 0; k < static_cast<int>(loops.size()); ++k)
-    if (k != circles.outer && k != circles.inner) slits.push_back(k);
+  std::optional<slit::LoopPair> pair;
+  if (!options.outer.empty() || !options.inner.empty()) pair = chosen(surface, loops, options);
+  const slit::Fingerprint own = fingerprint(surface, pair, options.input, context.progress);
   report.rows.clear();
-  report.add(fingerprint_report(own, slits));
+  report.add(fingerprint_report(own));
   Result result;
   if (!options.distance.empty()) {
     const SurfaceInput input = read_surface(options.distance, context, options.doctor);
     const mesh::OpenedMesh other = opened(input, {}, context.progress);
-    const auto other_loops = mesh::boundary_loops(other.mesh);
     check_type(other.mesh.surface, options);
-    const double distance = slit::distance(
-        own, fingerprint(other, chosen(other, other_loops, options), options.distance, context.progress));
-    report.json["distance"] = distance;
-    report.rows.emplace_back("distance", fixed(distance, 6));
+    const slit::Fingerprint theirs = fingerprint(other, {}, options.distance, context.progress);
+    report.add(distance_report(own, theirs, options.mirror));
     report.warnings.insert(report.warnings.end(), input.warnings.begin(), input.warnings.end());
+    if (!theirs.found) result.status = Status::undecided;
   }
   result.text = block(report.rows);
   result.json = std::move(report.json);
@@ -362,6 +369,11 @@ Result run_slit(const Options& options, const Context& context) {
                  {"domain", options.domain}};
   report.add(made.report);
   report.json["seconds"] = seconds; // from the mesh to the map, files apart
+  const auto [scale, shift] = std::pair(made.layout.texture_scale, made.layout.texture_shift);
+  report.json["texture"] = {{"scale", scale}, {"shift", shift}};
+  if (!options.outputs.empty())
+    report.rows.emplace_back("texture", "the domain times " + rounded(scale) +
+                                            (shift == 0 ? "" : ", plus " + rounded(shift)));
   result.text = block(report.rows);
   result.json = std::move(report.json);
   result.warnings = std::move(report.warnings);
@@ -385,12 +397,12 @@ Run declare_slit(OptionTable& table) {
   table
       .add("--outer", o->outer,
            "the loop that becomes the outer circle: its number, from 0 by decreasing length, or v17 for the "
-           "loop through vertex 17, counted from 0")
-      .value_name("LOOP")
-      .with_default();
-  table.add("--inner", o->inner, "the loop that becomes the inner circle, named as for --outer")
-      .value_name("LOOP")
-      .with_default();
+           "loop through vertex 17, counted from 0 (default: 0; for --fingerprint and --distance the two "
+           "loops "
+           "of greatest modulus)")
+      .value_name("LOOP");
+  table.add("--inner", o->inner, "the loop that becomes the inner circle, named as for --outer (default: 1)")
+      .value_name("LOOP");
   table
       .add("--method", o->method,
            "method for the circular domain: harmonic functions and opened slits, or discrete Ricci flow")
@@ -414,8 +426,11 @@ Run declare_slit(OptionTable& table) {
             "print the conformal invariants with their errors, extrapolated from finer triangulations");
   table
       .add("--distance", o->distance,
-           "print the distance between the fingerprints of this surface and of another")
+           "print the distance between the fingerprints of this surface and of another, the least over all "
+           "matchings of their loops")
       .value_name("SURFACE");
+  table.add("--mirror", o->mirror,
+            "let --distance compare with the mirror image of the other surface as well");
   table.add("--unflip", o->unflip, "move vertices near inverted triangles until no triangle is inverted");
   table.add("--intrinsic", o->intrinsic,
             "solve on the intrinsic Delaunay triangulation, which is better for obtuse triangles");

@@ -156,14 +156,16 @@ Report quads_report(const slit::QuadMesh& quads) {
   return report;
 }
 
-Report fingerprint_report(const slit::Fingerprint& f, const std::vector<int>& slit_loops) {
+Report fingerprint_report(const slit::Fingerprint& f) {
   Report report;
   const auto invariant = [](double value, double error) {
     return Json{{"value", value}, {"error", finite_or_null(error)}};
   };
   const auto ring = [&](std::size_t k) { return with_error(f.ring[k], f.ring_error[k]); };
   const auto disk = [&](std::size_t k) { return with_error(f.disk[k], f.disk_error[k]); };
-  report.rows = {{"inner radius, ring", ring(0)}};
+  const std::vector<int> slit_loops(f.loops.begin() + 2, f.loops.end());
+  report.rows = {{"outer, inner loop", std::to_string(f.loops[0]) + ", " + std::to_string(f.loops[1])},
+                 {"inner radius, ring", ring(0)}};
   Json slits = Json::array();
   Json circles = Json::array();
   for (std::size_t k = 0; k < slit_loops.size(); ++k) {
@@ -189,6 +191,8 @@ Report fingerprint_report(const slit::Fingerprint& f, const std::vector<int>& sl
   for (const int n : f.triangles) sizes.push_back(std::to_string(n));
   report.rows.emplace_back("triangles", joined(sizes, ", "));
   report.json["fingerprint"] = {
+      {"outer", f.loops[0]},
+      {"inner", f.loops[1]},
       {"ring", {{"inner_radius", invariant(f.ring[0], f.ring_error[0])}, {"slits", slits}}},
       {"disk", {{"inner_radius", invariant(f.disk[0], f.disk_error[0])}, {"circles", circles}}},
       {"triangles", f.triangles}};

@@ -24,7 +24,6 @@ Report unflipped_report(const slit::Unflipped& unflipped);
 Report distortion_report(const slit::Distortion& distortion);
 Report residuals_report(const slit::Residuals& residuals);
 Report quads_report(const slit::QuadMesh& quads);
-/// Loops by number, without the outer and the inner one.
-Report fingerprint_report(const slit::Fingerprint& fingerprint, const std::vector<int>& slit_loops);
+Report fingerprint_report(const slit::Fingerprint& fingerprint);
 
 } // namespace tetrarch::program

@@ -4,15 +4,16 @@
 /// Slit maps to look at: the domain as a surface and as a drawing, and the surface in space with the domain
 /// as its texture.
 ///
-///       surface in space               domain in the unit square
+///       surface in space               domain as a picture
 ///      .-----------------.      vt      .-------.       concentric and circular: ((x + 1) / 2, (y + 1) / 2)
 ///      |   .-.     .-.   |     ---->    | .--.  |       cylindric and parallel: (angle / 2 pi,
-///      |   '-'     '-'   |              | '--'  |                                height / modulus)
+///      |   '-'     '-'   |              | '--'  |                                height / 2 pi)
 ///      '-----------------'              '-------'
 ///
-/// A vertex on the seam of the rectangle has two places there. One place may lie a little outside the square,
-/// because triangles lie whole; repeating pictures hide this. Every loop has its color. Everything here is
-/// O(n).
+/// Both axes have one scale, so pictures keep their angles on the surface. Where a ring's inner radius is so
+/// small that the shift by 1/2 would drown it, there is no shift: (x / 2, y / 2). A vertex on the seam of the
+/// rectangle has two places there. One place may lie a little outside the square, because triangles lie
+/// whole; repeating pictures hide this. Every loop has its color. Everything here is O(n).
 
 #include "tetrarch/scene/drawing.hpp"
 #include "tetrarch/scene/scene.hpp"
@@ -31,9 +32,12 @@ namespace tetrarch::show {
 struct Layout {
   std::string name; ///< of the domain
   std::vector<std::array<double, 2>> places;
-  std::vector<std::array<double, 2>> textures; ///< of each place: in the unit square, but at seams
-  std::vector<int> vertex;                     ///< of each place
-  std::vector<std::array<int, 3>> corners;     ///< of each triangle: places
+  /// Of each place: texture_scale * place + texture_shift. The unit square repeats.
+  std::vector<std::array<double, 2>> textures;
+  double texture_scale = 1;
+  double texture_shift = 0;
+  std::vector<int> vertex;                 ///< of each place
+  std::vector<std::array<int, 3>> corners; ///< of each triangle: places
   /// Of each place where it goes in space, if the plane is to be rolled up; else empty.
   std::vector<scene::Point> rolled;
 };

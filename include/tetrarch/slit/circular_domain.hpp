@@ -22,6 +22,8 @@
 /// has its center at 0, and the circle of the first slit its center on the positive real axis. Source: Yin,
 /// section 2.3.3, for the openings; Koebe's iteration for the rest.
 
+#include "tetrarch/core/progress.hpp"
+
 #include <complex>
 #include <cstddef>
 #include <vector>
@@ -82,7 +84,8 @@ struct CircularOptions {
 /// Throws PreconditionError unless 0 < inner < radius < 1 and the length is positive for all slits; there is
 /// no check whether slits touch. If the iteration does not converge, `found` is false and the curves are
 /// those of the last round. For n curves of N samples: O(n^2 N^2) a round, about 5 to 10 rounds.
-CircularDomain circular_domain(const SlitRing& ring, const CircularOptions& options = {});
+CircularDomain circular_domain(const SlitRing& ring, const CircularOptions& options = {},
+                               const Progress& progress = {});
 
 /// The curves once the first `slits` slits are open, by so many samples of each curve: those of the ring
 /// itself for 0. Throws as above. O(n N^2) a slit.

@@ -33,10 +33,11 @@ enum class Edges : std::uint8_t { own, intrinsic_delaunay };
 
 class OneForms {
 public:
-  /// Throws InputError unless the mesh is an oriented sphere with at least two holes, or where triangles are
-  /// too thin (`mesh::half_cotangents`). For n + 1 loops: two sparse factorizations with one analysis (the
-  /// lags are held at one vertex, the potentials on all loops) and n right-hand sides for either. One
-  /// factorization with the loops eliminated last would serve both, but counting operations it is dearer.
+  /// Throws InputError unless the mesh is an oriented sphere with at least two holes, where triangles are too
+  /// thin (`mesh::half_cotangents`), or if the functions would take more than 16 GB. For n + 1 loops: two
+  /// sparse factorizations with one analysis (the lags are held at one vertex, the potentials on all loops)
+  /// and n right-hand sides for either. One factorization with the loops eliminated last would serve both,
+  /// but counting operations it is dearer.
   explicit OneForms(mesh::TriangleMesh mesh, const Progress& progress = {}, Edges edges = Edges::own);
 
   const mesh::TriangleMesh& mesh() const { return mesh_; }

@@ -69,6 +69,8 @@ struct RegistrationOptions {
   bool aligned = true;
   /// Whether vertices are moved in B's disk until no triangle is flipped, as by `unflip_in_disk`.
   bool unflip = false;
+  /// Whether this is done for triangles on circles of slits alone, where there are flipped ones.
+  bool unflip_at_slits = false;
 };
 
 /// The turn is the one that brings the centers of circles closest in the mean square. With two loops all

@@ -67,6 +67,20 @@ struct SlitMap {
 /// of the number of loops.
 SlitMap slit_map(const OneForms& forms, int outer, int inner);
 
+/// Throws InputError if the modulus is 700 or more: the inner radius, or edges beside it, would be no normal
+/// doubles. Heights have room for that.
+void require_radii(const SlitMap& map);
+
+struct LoopPair {
+  int outer = 0;
+  int inner = 1;
+};
+
+/// The two loops with the greatest modulus between them, the others left free; outer is the one through which
+/// more flows if each is held against all others. This depends on the conformal structure alone, unlike the
+/// numbers of loops. A dense system of the size of the number of loops.
+LoopPair farthest_loops(const OneForms& forms);
+
 /// The cylinder unrolled to a rectangle of width 2 pi.
 struct ParallelDomain {
   /// Of each triangle, where its corners lie: (angle, height). A vertex on the seam has several places.
