@@ -5,6 +5,8 @@
 #include <string>
 
 using tetrarch::in_quotes;
+using tetrarch::Lines;
+using tetrarch::printable;
 
 namespace {
 
