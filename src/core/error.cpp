@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "tetrarch/core/error.hpp"
 
+#include <algorithm>
+
 namespace tetrarch {
 namespace {
 
@@ -42,6 +44,18 @@ InputError::InputError(const std::string& message) : std::runtime_error(message)
 
 InputError::InputError(const Place& place, const std::string& message)
     : std::runtime_error(placed(place, message)) {}
+
+std::string printable(std::string_view text, Lines lines) {
+  std::string clean;
+  clean.reserve(text.size());
+  while (!text.empty()) {
+    const bool stays = lines == Lines::many && (text.front() == '\n' || text.front() == '\t');
+    const std::size_t length = stays ? 1 : printable_length(text);
+    clean += length > 0 ? text.substr(0, length) : "?";
+    text.remove_prefix(std::max<std::size_t>(length, 1));
+  }
+  return clean;
+}
 
 std::string in_quotes(std::string_view token) {
   constexpr std::size_t longest = 40;

@@ -6,6 +6,8 @@
 #include <cerrno>
 #include <fcntl.h>
 #include <filesystem>
+#include <mutex>
+#include <set>
 #include <sys/stat.h>
 #include <system_error>
 #include <unistd.h>
@@ -62,24 +64,55 @@ void write_directly(const std::string& path, std::string_view content) {
   if (error != 0) fail(path, "cannot be written: " + reason(error));
 }
 
+/// The files that lie beside their targets just now.
+struct Unfinished {
+  std::mutex mutex;
+  std::set<std::string> names;
+};
+Unfinished& unfinished() {
+  static auto* const all = new Unfinished; // outlives every thread
+  return *all;
+}
+
 /// Removes what lies beside the target unless it was renamed into place.
 class Beside {
 public:
   explicit Beside(const std::string& target) {
     static std::atomic<unsigned> count{0};
     name_ = target + "." + std::to_string(::getpid()) + "-" + std::to_string(++count) + ".part";
+    const std::lock_guard lock(unfinished().mutex);
+    unfinished().names.insert(name_);
   }
   Beside(const Beside&) = delete;
   Beside& operator=(const Beside&) = delete;
   ~Beside() {
-    if (!name_.empty()) ::unlink(name_.c_str());
+    if (!kept_) ::unlink(name_.c_str());
+    const std::lock_guard lock(unfinished().mutex);
+    unfinished().names.erase(name_);
   }
   const std::string& name() const { return name_; }
-  void keep() { name_.clear(); }
+  void keep() { kept_ = true; }
 
 private:
   std::string name_;
+  bool kept_ = false;
 };
+
+/// What is written and renamed: behind a link, what it leads to. Empty: a link that leads nowhere.
+std::string behind_links(const std::string& path) {
+  std::error_code ignored;
+  // Behind a link that dangles there is nothing to resolve yet; weakly_canonical still follows it.
+  const bool is_link = fs::is_symlink(fs::symlink_status(path, ignored));
+  return is_link ? fs::weakly_canonical(path, ignored).string() : path;
+}
+
+/// Whether something is there that is written to directly. Throws InputError of a directory.
+bool is_device(const std::string& path) {
+  std::error_code ignored;
+  const fs::file_status status = fs::status(path, ignored);
+  if (fs::is_directory(status)) fail(path, "is a directory, expected a file to write");
+  return fs::exists(status) && !fs::is_regular_file(status);
+}
 
 } // namespace
 
@@ -113,14 +146,27 @@ std::string read_file(const std::string& path, std::size_t limit) {
   return content;
 }
 
+void remove_unfinished_files() {
+  unfinished().mutex.lock(); // for good: no other one is begun
+  for (const std::string& name : unfinished().names) ::unlink(name.c_str());
+}
+
+void require_writable(const std::string& path) {
+  if (is_device(path)) {
+    if (::access(path.c_str(), W_OK) != 0) fail(path, "cannot be written: " + reason(errno));
+    return;
+  }
+  const std::string target = behind_links(path);
+  if (target.empty()) fail(path, "cannot be written: the link leads nowhere");
+  const Beside beside(target);
+  const Descriptor file(::open(beside.name().c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
+  if (file.get() < 0 && (errno == ENOENT || errno == ENOTDIR)) fail(path, "there is no such folder");
+  if (file.get() < 0) fail(path, "cannot be written: " + reason(errno));
+}
+
 void write_file_atomically(const std::string& path, std::string_view content) {
-  std::error_code ignored;
-  const fs::file_status status = fs::status(path, ignored);
-  if (fs::is_directory(status)) fail(path, "is a directory, expected a file to write");
-  if (fs::exists(status) && !fs::is_regular_file(status)) return write_directly(path, content);
-  // Behind a link that dangles there is nothing to resolve yet; weakly_canonical still follows it.
-  const bool is_link = fs::is_symlink(fs::symlink_status(path, ignored));
-  const std::string target = is_link ? fs::weakly_canonical(path, ignored).string() : path;
+  if (is_device(path)) return write_directly(path, content);
+  const std::string target = behind_links(path);
   if (target.empty()) fail(path, "cannot be written: the link leads nowhere");
 
   Beside beside(target);

@@ -113,7 +113,7 @@ std::optional<MeshFormat> recognise_mesh(std::string_view text, const std::strin
   return mesh_format_for_extension(source);
 }
 
-Soup read_soup(std::string_view text, const std::string& source) {
+static Soup soup_in(std::string_view text, const std::string& source) {
   const std::optional<MeshFormat> format = recognise_mesh(text, source);
   if (!format) throw InputError(Place{source, 1}, found_expected(first_word(text), any_mesh));
   text = without_byte_order_mark(text);
@@ -143,7 +143,7 @@ Soup read_soup(std::string_view text, const std::string& source) {
   throw PreconditionError("no such mesh format");
 }
 
-Soup read_soup_file(const std::string& path) {
+static Soup soup_in_file(const std::string& path) {
   const std::string source = source_name(path);
   if (mesh_format_for_extension(path) != MeshFormat::tetgen) return read_soup(read_file(path), source);
   const TetgenPaths paths = tetgen_paths(path);
@@ -176,6 +176,7 @@ bool holds_surfaces_only(MeshFormat format) {
 } // namespace
 
 std::string write_soup(const Soup& soup, MeshFormat format) {
+  require_finite(soup);
   require_in_range(soup, soup.tetrahedra, soup.tetrahedron_labels, "tetrahedron");
   require_in_range(soup, soup.triangles, soup.triangle_labels, "triangle");
   if (holds_surfaces_only(format) && soup.triangles.empty() && !soup.tetrahedra.empty())
@@ -225,6 +226,7 @@ Ledger not_held(const Soup& soup, MeshFormat format) {
 }
 
 void write_soup_file(const Soup& soup, const std::string& path) {
+  require_finite(soup);
   const std::optional<MeshFormat> format = mesh_format_for_extension(path);
   if (!format)
     throw InputError(Place{path, 0}, "the extension names no mesh format, expected one like .mesh");
@@ -234,6 +236,19 @@ void write_soup_file(const Soup& soup, const std::string& path) {
   write_file_atomically(paths.node, files.node);
   write_file_atomically(paths.ele, files.ele);
   if (!files.face.empty()) write_file_atomically(paths.face, files.face);
+}
+
+// Whatever the format: what every reader would have to ask is asked once.
+Soup read_soup(std::string_view text, const std::string& source) {
+  Soup soup = soup_in(text, source);
+  require_finite(soup);
+  return soup;
+}
+
+Soup read_soup_file(const std::string& path) {
+  Soup soup = soup_in_file(path);
+  require_finite(soup);
+  return soup;
 }
 
 } // namespace tetrarch::format

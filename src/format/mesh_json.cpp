@@ -216,6 +216,7 @@ MeshDocument read_mesh_json(std::string_view text, const std::string& source) {
 
 std::string write_mesh_json(const MeshDocument& mesh) {
   const Soup& soup = mesh.soup;
+  require_finite(soup);
   require_in_range(soup.triangles, soup.points.size(), "triangles");
   require_in_range(soup.tetrahedra, soup.points.size(), "tetrahedra");
   require_in_range(mesh.hexahedra, soup.points.size(), "hexahedra");

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "tetrarch/format/soup.hpp"
 
+#include "tetrarch/format/text.hpp"
+
 #include <algorithm>
+#include <cmath>
 
 namespace tetrarch::format {
 
@@ -29,6 +32,18 @@ long long Labels::number(std::int64_t index, int first) const {
 int Labels::line(std::int64_t index) const {
   const bool known = index >= 0 && static_cast<std::size_t>(index) < lines.size();
   return known ? lines[static_cast<std::size_t>(index)] : 0;
+}
+
+void require_finite(const Soup& soup) {
+  for (std::size_t k = 0; k < soup.points.size(); ++k)
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      if (std::isfinite(soup.points[k][axis])) continue;
+      const std::string& source = soup.point_source.empty() ? soup.source : soup.point_source;
+      throw InputError(Place{source, soup.point_labels.line(static_cast<std::int64_t>(k))},
+                       std::string("coordinate ") + "xyz"[axis] + " of vertex " +
+                           std::to_string(point_number(soup, static_cast<int>(k))) + " is " +
+                           to_text(soup.points[k][axis]) + ", expected a finite number");
+    }
 }
 
 } // namespace tetrarch::format

@@ -28,7 +28,11 @@ namespace fs = std::filesystem;
 class TemporaryDirectory {
 public:
   TemporaryDirectory() {
-    std::string pattern = (fs::temp_directory_path() / "tetrarch-XXXXXX").string();
+    std::error_code failed;
+    const fs::path all = fs::temp_directory_path(failed);
+    if (failed)
+      throw InputError(Place{}, "there is no folder for temporary files (TMPDIR): " + failed.message());
+    std::string pattern = (all / "tetrarch-XXXXXX").string();
     if (::mkdtemp(pattern.data()) == nullptr)
       throw InputError(Place{pattern, 0}, "cannot be made: " + std::generic_category().message(errno));
     path_ = pattern;
@@ -126,7 +130,8 @@ format::Soup fill(const format::Soup& surface, const Progress& progress, const s
   const std::string input = directory / "surface.off";
   format::write_file_atomically(input, format::write_off(surface));
   run(program, input, directory / "log", surface.source, progress);
-  if (!fs::exists(directory / "surface.1.ele"))
+  std::error_code unreadable;
+  if (!fs::exists(directory / "surface.1.ele", unreadable))
     throw InputError(Place{surface.source, 0},
                      "the program " + in_quotes(program) + " gave no tetrahedra: " +
                          in_quotes(last_line(format::read_file(directory / "log"))));

@@ -94,10 +94,15 @@ std::vector<std::vector<TetFace>> boundary_faces(const Complex& complex) {
   return components;
 }
 
-MaybeObstacle cone(Complex& complex, const std::vector<TetFace>& component) {
+MaybeObstacle why_not_cone(const Complex& complex, const std::vector<TetFace>& component) {
   for (const TetFace f : component)
     for (const int v : face_vertex[f.face])
       if (complex.link(complex.vertex({f.tet, v})) != LinkKind::disk) return Obstacle::bad_vertex;
+  return std::nullopt;
+}
+
+MaybeObstacle cone(Complex& complex, const std::vector<TetFace>& component) {
+  if (const auto obstacle = why_not_cone(complex, component)) return obstacle;
   const Neighbours beside = neighbours_of(complex, component);
   complex.begin_change();
   int corners = 0;

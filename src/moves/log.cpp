@@ -122,10 +122,12 @@ MaybeObstacle obstacle_of(const BallOrObstacle& ball) {
   return std::nullopt;
 }
 
-MaybeObstacle cone_at(Complex& complex, TetFace f) {
+/// What `act` says of the boundary component with the face.
+template <class Act>
+MaybeObstacle at_component(const Complex& complex, TetFace f, Act act) {
   if (!complex.is_boundary(f)) return Obstacle::no_boundary_face;
   for (const auto& component : boundary_faces(complex))
-    if (std::binary_search(component.begin(), component.end(), f)) return cone(complex, component);
+    if (std::binary_search(component.begin(), component.end(), f)) return act(component);
   return Obstacle::no_boundary_face;
 }
 
@@ -209,10 +211,9 @@ MaybeObstacle why_not_apply(const Complex& complex, const Move& move) {
     return why_not_shell(complex, move.tet);
   case MoveKind::pinch:
     return why_not_pinch(complex, move.edge());
-  case MoveKind::cone: {
-    Complex trial = complex;
-    return cone_at(trial, move.face());
-  }
+  case MoveKind::cone:
+    return at_component(complex, move.face(),
+                        [&](const auto& component) { return why_not_cone(complex, component); });
   case MoveKind::pack:
     return std::nullopt;
   }
@@ -253,7 +254,8 @@ MaybeObstacle apply(Complex& complex, const Move& move) {
   case MoveKind::pinch:
     return pinch(complex, move.edge());
   case MoveKind::cone:
-    return cone_at(complex, move.face());
+    return at_component(complex, move.face(),
+                        [&](const auto& component) { return cone(complex, component); });
   case MoveKind::pack:
     complex.pack();
     return std::nullopt;

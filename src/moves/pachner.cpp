@@ -171,6 +171,20 @@ MaybeObstacle why_not_zero_two_edge(const Complex& complex, DirectedTetEdge e, i
   return std::nullopt;
 }
 
+std::vector<int> zero_two_turns(const Complex& complex, DirectedTetEdge e) {
+  const EdgeId edge = complex.edge(e);
+  std::vector<int> turns;
+  if (complex.is_reversed(edge)) return turns;
+  Walk w{e.tet, edge_frame(e.from, e.to)};
+  const TetFace first = w.left_face();
+  for (int turn = 1; turn < complex.valence(edge) && w.step_left(complex); ++turn) {
+    const TetFace second = w.left_face();
+    if (!complex.is_boundary(second) && first != second && complex.partner(first) != second)
+      turns.push_back(turn);
+  }
+  return turns;
+}
+
 MaybeObstacle zero_two_edge(Complex& complex, DirectedTetEdge e, int turn) {
   if (const auto obstacle = why_not_zero_two_edge(complex, e, turn)) return obstacle;
   complex.begin_change();

@@ -5,6 +5,7 @@
 #include <deque>
 #include <numeric>
 #include <tuple>
+#include <unordered_map>
 #include <utility>
 
 namespace tetrarch::moves {
@@ -59,11 +60,52 @@ private:
   int since_audit_ = 0;
 };
 
+/// Edges of large valence that cannot be merged along, each with a tetrahedron around it that shows why: the
+/// two sides of its right face that would meet are one edge already, or both on the boundary. Around a hub
+/// every tetrahedron would ask for the same merge, and each time all of them would be walked round.
+class Hubs {
+public:
+  explicit Hubs(const Complex& complex) : complex_(complex) {}
+
+  /// Whether a merge along the edge is illegal for this reason. O(1) where the reason of last time holds,
+  /// else O(tetrahedra up to the first one that shows it).
+  bool forbid(DirectedTetEdge e, int valence) {
+    if (valence <= small) return false;
+    const EdgeId edge = complex_.edge(e);
+    if (complex_.is_reversed(edge)) return false; // no ring to walk round; the move itself says no
+    const auto known = shown_by_.find(edge.value);
+    if (known != shown_by_.end() && shows(known->second, edge)) return true;
+    const Walk start{e.tet, edge_frame(e.from, e.to)};
+    Walk w = start;
+    do {
+      if (!shows(w, edge)) continue;
+      shown_by_[edge.value] = w;
+      return true;
+    } while (w.step_left(complex_) && !(w == start));
+    return false;
+  }
+
+private:
+  static constexpr int small = 32; ///< up to here the merge is planned without the heap
+
+  bool shows(const Walk& w, EdgeId edge) const {
+    if (!complex_.is_alive(w.tet) || complex_.edge(w.edge()) != edge) return false;
+    if (complex_.is_boundary(w.right_face())) return false; // which takes part in a merge on the boundary
+    const EdgeId a = complex_.edge(DirectedTetEdge{w.tet, w.hold[0], w.hold[3]});
+    const EdgeId b = complex_.edge(DirectedTetEdge{w.tet, w.hold[1], w.hold[3]});
+    const auto is_fixed = [this](EdgeId x) { return complex_.is_boundary(x) || complex_.is_reversed(x); };
+    return a == b || (is_fixed(a) && is_fixed(b));
+  }
+
+  const Complex& complex_;
+  std::unordered_map<int, Walk> shown_by_;
+};
+
 /// The greedy part.
 class Reducer {
 public:
   Reducer(Complex& complex, const SimplifyOptions& options)
-      : complex_(complex), options_(options), mover_(complex, options) {}
+      : complex_(complex), options_(options), mover_(complex, options), hubs_(complex) {}
 
   void look_at_all() {
     for (int t = 0; t < complex_.slot_count(); ++t)
@@ -123,7 +165,8 @@ private:
       const VertexId to = complex_.vertex({t, b});
       if (from == to) continue;
       const bool inside = complex_.link(from) == LinkKind::sphere || complex_.link(to) == LinkKind::sphere;
-      if ((inside || options_.change_boundary) && mover_.made({MoveKind::merge, t, a, b})) return true;
+      if (!inside && !options_.change_boundary) continue;
+      if (!hubs_.forbid({t, a, b}, -valence) && mover_.made({MoveKind::merge, t, a, b})) return true;
     }
     return false;
   }
@@ -146,6 +189,7 @@ private:
   Complex& complex_;
   const SimplifyOptions& options_;
   Mover mover_;
+  Hubs hubs_;
   Worklist waiting_;
 };
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "tetrarch/workshop/text.hpp"
 
+#include "tetrarch/core/error.hpp"
+
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -21,7 +23,7 @@ std::string block(const std::vector<std::pair<std::string, std::string>>& rows) 
   for (const auto& row : rows) width = std::max(width, row.first.size());
   std::string text;
   for (const auto& [name, value] : rows)
-    text.append(name).append(width - name.size() + 2, ' ').append(value).append("\n");
+    text.append(printable(name)).append(width - name.size() + 2, ' ').append(printable(value)).append("\n");
   return text;
 }
 

@@ -40,12 +40,32 @@ public:
 
   void scalar(const auto& value) {
     using Library = nlohmann::ordered_json;
-    text += Library(value).dump(-1, ' ', false, Library::error_handler_t::replace);
+    append_escaped(Library(value).dump(-1, ' ', false, Library::error_handler_t::replace));
   }
 
   std::string text;
 
 private:
+  /// The library escapes the control characters below the blank; a terminal obeys DEL and those of U+0080 to
+  /// U+009F too.
+  void append_escaped(const std::string& written) {
+    for (std::size_t k = 0; k < written.size(); ++k) {
+      const auto byte = [&written](std::size_t i) {
+        return i < written.size() ? static_cast<unsigned char>(written[i]) : static_cast<unsigned char>(0);
+      };
+      const bool is_pair = byte(k) == 0xc2 && byte(k + 1) >= 0x80 && byte(k + 1) < 0xa0;
+      if (byte(k) != 0x7f && !is_pair) {
+        text += written[k];
+        continue;
+      }
+      if (is_pair) ++k;
+      constexpr const char* digits = "0123456789abcdef";
+      text += "\\u00";
+      text += digits[byte(k) / 16];
+      text += digits[byte(k) % 16];
+    }
+  }
+
   int indent_;
 };
 
@@ -197,7 +217,7 @@ double Tree::number() const {
 std::string Tree::where_not_a_number() const {
   const auto inside = [](std::string name, const Tree& value) {
     const double* const number = std::get_if<double>(&value.value_);
-    if (number != nullptr) return std::isnan(*number) ? name : std::string();
+    if (number != nullptr) return std::isfinite(*number) ? std::string() : name;
     const std::string found = value.where_not_a_number();
     return found.empty() ? found : std::move(name) + "/" + found;
   };

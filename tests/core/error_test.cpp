@@ -5,6 +5,8 @@
 #include <string>
 
 using tetrarch::in_quotes;
+using tetrarch::Lines;
+using tetrarch::printable;
 
 namespace {
 
@@ -42,4 +44,12 @@ TEST_CASE("what is quoted is cut after forty letters, not inside of one", "[erro
   std::string wide;
   for (int k = 0; k < 40; ++k) wide += "\u4e09";
   CHECK(in_quotes(wide) == "'" + wide.substr(0, 27 * 3) + "...'"); // eighty bytes are enough
+}
+
+TEST_CASE("a text for a terminal keeps its letters and loses its commands", "[error]") {
+  CHECK(printable("W\u00fcrfel, RP\u00b2 x S\u00b9, \u4e09") == "W\u00fcrfel, RP\u00b2 x S\u00b9, \u4e09");
+  CHECK(printable("a\nb\tc\x1b[2J\r\x7f\xc2\x9b") == "a?b?c?[2J????");
+  CHECK(printable("a\nb\tc\x1b[2J\r\x7f\xc2\x9b", Lines::many) == "a\nb\tc?[2J????");
+  CHECK(printable("caf\xe9") == "caf?"); // Latin-1
+  CHECK(printable("").empty());
 }

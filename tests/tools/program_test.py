@@ -15,6 +15,7 @@ import tempfile
 import time
 import unittest
 
+from hostile_test import *  # noqa: F401,F403: files and surroundings that mean no good
 from inputs_test import *  # noqa: F401,F403: what stands for a triangulation
 from meshes_test import *  # noqa: F401,F403: meshes from elsewhere, and mending them
 from options_test import *  # noqa: F401,F403: the tests of options that stand nowhere else

@@ -29,8 +29,9 @@ enum class Status { done = 0, proved_no = 1, bad_input = 2, fault = 3, undecided
 Status status_of(workshop::Verdict verdict);
 
 struct Result {
-  std::string text; ///< for people; ends with a newline
-  Json json;        ///< for programs; null: `text` is already what programs read
+  std::string text;     ///< for people; ends with a newline
+  bool is_file = false; ///< `text` is what a file would hold, and goes out byte by byte but to a terminal
+  Json json;            ///< for programs; null: `text` is already what programs read
   Status status = Status::done;
   std::vector<std::string> warnings; ///< one line each, for standard error
   struct File {

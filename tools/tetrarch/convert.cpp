@@ -89,6 +89,7 @@ Result convert_json_mesh(const Options& options, const format::MeshDocument& mes
   std::string text = write_mesh_json(mesh);
   if (options.output.empty()) {
     result.text = std::move(text);
+    result.is_file = true;
     return result;
   }
   result.json = {{"output", options.output},
@@ -145,6 +146,7 @@ Result convert(const Options& options, const Context& context) {
   result.value = std::make_shared<Value>(document);
   if (options.output.empty()) {
     result.text = std::move(written.text);
+    result.is_file = true;
     return result;
   }
   result.json = {{"output", options.output},

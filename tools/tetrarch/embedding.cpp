@@ -61,7 +61,8 @@ void require_memory(const std::string& what, double bytes, double gigabytes) {
 }
 
 embed::PieceBounds allowed_bounds(const embed::PieceBounds& wanted, double gigabytes) {
-  const auto bytes = static_cast<double>(embed::piece_bytes(wanted.copies));
+  // Not piece_bytes of all: that number of bytes need not be one of 64 bits.
+  const double bytes = static_cast<double>(embed::piece_bytes(1)) * static_cast<double>(wanted.copies);
   require_memory("--copies " + std::to_string(wanted.copies), bytes, gigabytes);
   const double most = std::min(1e9 * gigabytes / static_cast<double>(embed::piece_bytes(1)),
                                double{std::numeric_limits<int>::max()});

@@ -11,12 +11,13 @@
 
 namespace tetrarch::program {
 
-/// Ctrl-C (and SIGTERM) asks the running job to stop; asked a second time, a job that does not listen ends
-/// the program. In a session, of which more would be lost, this happens at the fourth time only.
-void be_patient();
-
-/// One line on standard error that begins with `speaker` ("tetrarch", "moves.txt:3"). Gives the status back.
+/// One line on standard error that begins with `speaker` ("tetrarch", "moves.txt:3"), whatever the names in
+/// it are made of. Gives the status back.
 Status complain(const std::string& speaker, const std::string& message, Status status);
+void warn(const std::string& speaker, const std::string& warning);
+
+/// The text on standard output. Throws InputError if it cannot be written there.
+void say(const std::string& text);
 
 /// What sets one of many jobs apart (mapping.hpp).
 struct Share {
@@ -43,7 +44,11 @@ struct Statement {
 JobOutcome run_job(const Job& job, const Values* values, const std::string& speaker,
                    const Statement* statement = nullptr, Share* share = nullptr);
 
-/// The object of a statement that is not the work of a job, or failed before there was one.
+/// The object of a statement that is not the work of a job, or failed before there was one. Throws InputError
+/// as `say` does.
 void tell(const Statement& statement, Status status, const std::string& key, Json value);
+
+/// The same of an error; silent where nobody can be told anything any more.
+void tell_error(const Statement& statement, Status status, const std::string& message);
 
 } // namespace tetrarch::program

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "command.hpp"
+#include "interrupts.hpp"
 #include "job.hpp"
 #include "mapping.hpp"
 #include "parse.hpp"
 
 #include "tetrarch/core/error.hpp"
 
-#include <iostream>
+#include <exception>
+#include <string>
+#include <vector>
 
 namespace {
 
@@ -20,7 +23,7 @@ Status parse_and_run(const std::vector<std::string>& words) {
     return run_mapping(std::move(*mapping), commands(), program_name, usual_options(), nullptr, program_name);
   const Parsed parsed = parse(words, commands(), program_name, usual_options());
   if (parsed.job) return run_job(*parsed.job, nullptr, program_name).status;
-  std::cout << parsed.text << std::flush;
+  say(parsed.text);
   return Status::done;
 }
 
@@ -28,6 +31,7 @@ Status parse_and_run(const std::vector<std::string>& words) {
 
 int main(int argc, char** argv) {
   Status status = Status::fault;
+  watch_signals();
   try {
     status = parse_and_run({argv + 1, argv + argc});
   } catch (const InputError& e) {

@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <array>
-#include <iostream>
 #include <memory>
 #include <utility>
 
@@ -92,7 +91,7 @@ Status run_mapping(Mapping mapping, const std::vector<Command>& table, const std
     const std::string& input = words[mapping.at];
     const Parsed parsed = parse(words, table, program, defaults);
     if (!parsed.job) { // a help page: once is enough
-      std::cout << parsed.text << std::flush;
+      say(parsed.text);
       return gravest;
     }
     share.input = input;

@@ -10,6 +10,7 @@
 #include "tetrarch/format/text.hpp"
 #include "tetrarch/moves/boundary_moves.hpp"
 #include "tetrarch/moves/log.hpp"
+#include "tetrarch/moves/pachner.hpp"
 #include "tetrarch/workshop/nearest.hpp"
 
 #include <algorithm>
@@ -90,36 +91,73 @@ std::array<int, 4> pinch_place(const Triangulation& tri, DirectedTetEdge e) {
   return std::min(here, {g.tet, g.perm[face.face], g.perm[e.from], g.perm[e.to]});
 }
 
-/// What would be legal, each move once for the face, the edge class, the pair of them or the boundary
-/// component that it is made at.
-moves::MoveLog legal_moves(const Triangulation& tri, const Progress& progress) {
+/// So many 0-2 moves at edges are listed at most: there is one for every two faces around an edge.
+constexpr std::size_t most_pairs = 100'000;
+
+/// Finds what would be legal, of the kinds that are wanted: each move once for the face, the edge class, the
+/// pair of faces around it or the boundary component that it is made at. O(n log n), and the length of the
+/// list.
+class Lister {
+public:
   using Kind = moves::MoveKind;
-  const Complex complex(tri);
-  const Skeleton skeleton(tri);
-  moves::MoveLog legal;
-  const auto try_move = [&](const Move& move) {
-    if (!why_not_apply(complex, move)) legal.push_back(move);
-  };
-  std::set<std::array<int, 4>> pinched;
-  for (int t = 0; t < tri.size(); ++t) {
-    for (const Kind kind : {Kind::one_four, Kind::shell}) try_move({kind, t});
-    for (const auto& [a, b] : edge_vertex)
-      for (const auto& [from, to] : {std::pair{a, b}, std::pair{b, a}})
-        if (pinched.insert(pinch_place(tri, {t, from, to})).second) try_move({Kind::pinch, t, from, to});
+
+  Lister(const Triangulation& tri, const std::vector<std::string>& words, const Progress& progress)
+      : tri_(tri), complex_(tri), skeleton_(tri), progress_(progress) {
+    for (std::size_t k = 0; k < wanted_.size(); ++k) {
+      Move move;
+      move.kind = static_cast<Kind>(k);
+      const auto meant = [&move](const std::string& word) { return is_called(move, word); };
+      wanted_[k] = words.empty() || std::any_of(words.begin(), words.end(), meant);
+    }
   }
-  for (const VertexId v : all<VertexId>(skeleton.vertex_count())) {
-    const TetVertex at = skeleton.preimages(v).front();
-    for (const Kind kind : {Kind::four_one, Kind::two_zero_vertex}) try_move({kind, at.tet, at.vertex});
+
+  moves::MoveLog legal() {
+    list_at_tetrahedra();
+    list_at_vertices_and_faces();
+    for (const EdgeId e : all<EdgeId>(skeleton_.edge_count())) {
+      progress_.step("trying moves", static_cast<double>(e.value) / skeleton_.edge_count());
+      if (!skeleton_.is_reversed(e)) list_at_edge(e);
+    }
+    if (wants(Kind::cone))
+      for (const auto& component : boundary_faces(complex_))
+        if (!why_not_cone(complex_, component))
+          legal_.push_back({Kind::cone, component.front().tet, component.front().face});
+    return std::move(legal_);
   }
-  for (const FaceId f : all<FaceId>(skeleton.face_count())) {
-    const TetFace at = skeleton.preimages(f).front();
-    for (const Kind kind : {Kind::two_three, Kind::zero_two_face, Kind::open_book})
-      try_move({kind, at.tet, at.face});
+  /// Whether there are more 0-2 moves at edges than were listed.
+  bool is_cut() const { return is_cut_; }
+
+private:
+  bool wants(Kind kind) const { return wanted_[static_cast<std::size_t>(kind)]; }
+  void try_move(const Move& move) {
+    if (wants(move.kind) && !why_not_apply(complex_, move)) legal_.push_back(move);
   }
-  for (const EdgeId e : all<EdgeId>(skeleton.edge_count())) {
-    progress.step("trying moves", static_cast<double>(e.value) / skeleton.edge_count());
-    if (skeleton.is_reversed(e)) continue;
-    const Walk walk = skeleton.around(e).front();
+
+  void list_at_tetrahedra() {
+    std::set<std::array<int, 4>> pinched;
+    for (int t = 0; t < tri_.size(); ++t) {
+      for (const Kind kind : {Kind::one_four, Kind::shell}) try_move({kind, t});
+      if (!wants(Kind::pinch)) continue;
+      for (const auto& [a, b] : edge_vertex)
+        for (const auto& [from, to] : {std::pair{a, b}, std::pair{b, a}})
+          if (pinched.insert(pinch_place(tri_, {t, from, to})).second) try_move({Kind::pinch, t, from, to});
+    }
+  }
+
+  void list_at_vertices_and_faces() {
+    for (const VertexId v : all<VertexId>(skeleton_.vertex_count())) {
+      const TetVertex at = skeleton_.preimages(v).front();
+      for (const Kind kind : {Kind::four_one, Kind::two_zero_vertex}) try_move({kind, at.tet, at.vertex});
+    }
+    for (const FaceId f : all<FaceId>(skeleton_.face_count())) {
+      const TetFace at = skeleton_.preimages(f).front();
+      for (const Kind kind : {Kind::two_three, Kind::zero_two_face, Kind::open_book})
+        try_move({kind, at.tet, at.face});
+    }
+  }
+
+  void list_at_edge(EdgeId e) {
+    const Walk walk = skeleton_.around(e).front();
     const DirectedTetEdge at{walk.tet, walk.from(), walk.to()};
     for (const Kind kind : {Kind::three_two, Kind::two_zero_edge, Kind::close_book})
       try_move({kind, at.tet, at.from, at.to});
@@ -128,34 +166,54 @@ moves::MoveLog legal_moves(const Triangulation& tri, const Progress& progress) {
       try_move({kind, at.tet, at.to, at.from});
     }
     for (const int axis : {0, 1}) try_move({Kind::four_four, at.tet, at.from, at.to, axis});
-    // Between any two of the faces around the edge. Its direction tells which way round it goes, and in
-    // tetrahedra of the other handedness that is the other one.
-    const auto around = skeleton.around(e);
-    for (std::size_t k = 0; k < around.size(); ++k) {
+    if (wants(Kind::zero_two_edge)) list_pairs(e);
+  }
+
+  /// Between any two of the faces around the edge. Its direction tells which way round it goes, and in
+  /// tetrahedra of the other handedness that is the other one.
+  void list_pairs(EdgeId e) {
+    const auto around = skeleton_.around(e);
+    for (std::size_t k = 0; k < around.size() && !is_cut_; ++k) {
+      progress_.step("trying moves", static_cast<double>(e.value) / skeleton_.edge_count());
       const Walk& start = around[k];
       const bool same = edge_frame(start.from(), start.to()) == start.hold;
-      for (std::size_t turn = 1; k + turn < around.size(); ++turn)
-        try_move({Kind::zero_two_edge, start.tet, same ? start.from() : start.to(),
-                  same ? start.to() : start.from(), static_cast<int>(turn)});
+      const DirectedTetEdge held{start.tet, same ? start.from() : start.to(),
+                                 same ? start.to() : start.from()};
+      for (const int turn : zero_two_turns(complex_, held)) {
+        if (k + static_cast<std::size_t>(turn) >= around.size()) break;
+        is_cut_ = pairs_ == most_pairs;
+        if (is_cut_) return;
+        ++pairs_;
+        legal_.push_back({Kind::zero_two_edge, held.tet, held.from, held.to, turn});
+      }
     }
   }
-  for (const auto& component : boundary_faces(complex))
-    try_move({Kind::cone, component.front().tet, component.front().face});
-  return legal;
-}
+
+  const Triangulation& tri_;
+  Complex complex_;
+  Skeleton skeleton_;
+  const Progress& progress_;
+  std::array<bool, moves::move_kind_count> wanted_{};
+  moves::MoveLog legal_;
+  std::size_t pairs_ = 0;
+  bool is_cut_ = false;
+};
 
 Result list_moves(const format::Document& document, const Options& options, const Context& context) {
-  const moves::MoveLog legal = legal_moves(document.triangulation, context.progress);
+  Lister lister(document.triangulation, options.words, context.progress);
+  const moves::MoveLog legal = lister.legal();
   Result result;
   result.warnings = document.warnings;
   result.json["moves"] = Json::array();
   for (const Move& move : legal) {
-    const auto meant = [&move](const std::string& word) { return is_called(move, word); };
-    if (!options.words.empty() && std::none_of(options.words.begin(), options.words.end(), meant)) continue;
     const std::string line = move.str();
     result.json["moves"].push_back(line);
     result.text += line + "\n";
   }
+  result.json["complete"] = !lister.is_cut();
+  if (lister.is_cut())
+    result.warnings.push_back("there are more 0-2 moves at edges: the first " + std::to_string(most_pairs) +
+                              " are listed");
   if (result.text.empty()) result.text = "no legal move of this kind\n";
   return result;
 }

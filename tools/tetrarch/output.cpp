@@ -2,16 +2,12 @@
 #include "output.hpp"
 
 #include "tetrarch/core/error.hpp"
-
-#include <filesystem>
+#include "tetrarch/format/text.hpp"
 
 namespace tetrarch::program {
 
 void require_folder(const std::string& path) {
-  const std::filesystem::path folder = std::filesystem::path(path).parent_path();
-  std::error_code ignored;
-  if (!folder.empty() && !std::filesystem::is_directory(folder, ignored))
-    throw InputError({path, 0}, "there is no such folder");
+  if (!path.empty()) format::require_writable(path);
 }
 
 format::FileFormat output_format(const std::string& path) {

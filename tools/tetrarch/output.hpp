@@ -12,8 +12,8 @@
 
 namespace tetrarch::program {
 
-/// Throws InputError if the folder that a file is to stand in does not exist. Asked before a long job rather
-/// than after it.
+/// Throws InputError if the file cannot be written: there is no such folder, or one may not write there.
+/// Asked before a long job rather than after it; an empty path is none.
 void require_folder(const std::string& path);
 
 /// The format that the extension of an output file names. Throws InputError that lists what is known, or as

@@ -3,6 +3,7 @@
 
 #include "describe.hpp"
 #include "input.hpp"
+#include "output.hpp"
 #include "version.hpp"
 
 #include "tetrarch/core/error.hpp"
@@ -11,6 +12,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <limits>
 #include <memory>
@@ -31,10 +33,34 @@ void check_range(CLI::Option& made, const Option& option) {
     made.check(CLI::Range(static_cast<int>(least), static_cast<int>(most)));
 }
 
+/// Tries the file of the option -o, before the job rather than after it.
+void require_output(const OptionTable& options) {
+  const Option* const output = options.find("--output");
+  if (output == nullptr) return;
+  if (const auto* const path = std::get_if<std::string*>(&output->target)) require_folder(**path);
+}
+
 std::string spelled(const std::vector<std::string>& names) {
   std::string text;
   for (const std::string& name : names) text += (text.empty() ? "" : ",") + name;
   return text;
+}
+
+bool takes_numbers(const Option& option) {
+  return std::holds_alternative<double*>(option.target) ||
+         std::holds_alternative<std::optional<double>*>(option.target) ||
+         std::holds_alternative<std::vector<double>*>(option.target);
+}
+
+/// The library takes "nan" and "inf" for numbers.
+CLI::Validator finite_number() {
+  return CLI::Validator(
+      [](const std::string& word) {
+        double value = 0;
+        const bool bad = CLI::detail::lexical_cast(word, value) && !std::isfinite(value);
+        return bad ? in_quotes(word) + " is no finite number" : std::string();
+      },
+      "");
 }
 
 void add(CLI::App& app, const Option& option) {
@@ -46,6 +72,7 @@ void add(CLI::App& app, const Option& option) {
           return app.add_option(spelled(option.names), *variable, option.help);
       },
       option.target);
+  if (takes_numbers(option)) made->check(finite_number());
   if (!option.value.empty()) made->type_name(option.value);
   if (!option.choices.empty()) made->check(CLI::IsMember(option.choices));
   if (option.range) check_range(*made, option);
@@ -158,6 +185,7 @@ Parsed parse(const std::vector<std::string>& words, const std::vector<Command>& 
   const auto run = [line, program, &table](Context context) {
     context.commands = &table;
     context.program = program;
+    require_output(line->options);
     return line->run(context);
   };
   return {Job{line->common, run}, {}};

@@ -10,6 +10,7 @@
 #include "tetrarch/mesh/punch.hpp"
 #include "tetrarch/mesh/slice.hpp"
 
+#include <cmath>
 #include <optional>
 #include <string_view>
 
@@ -22,7 +23,7 @@ mesh::RoundHole round_hole(const std::string& word) {
   const auto radius = colon == std::string::npos
                           ? std::nullopt
                           : format::parse_double(std::string_view(word).substr(colon + 1));
-  if (!vertex || !radius || !(*radius > 0))
+  if (!vertex || !radius || !(*radius > 0) || !std::isfinite(*radius))
     throw refusal("--punch", word, "expected a vertex and a radius, such as v17:0.5");
   return {*vertex, *radius};
 }

@@ -35,4 +35,12 @@ struct InputError : std::runtime_error {
 /// question marks, cut after 40 characters.
 std::string in_quotes(std::string_view token);
 
+/// Whether lines may stand in a text.
+enum class Lines { one, many };
+
+/// A text as it may go to a terminal: control characters (of ASCII and of Unicode) and what is no UTF-8 are
+/// replaced by question marks, one for each byte; line feeds and tabs stay where there may be many lines.
+/// O(length).
+std::string printable(std::string_view text, Lines lines = Lines::one);
+
 } // namespace tetrarch

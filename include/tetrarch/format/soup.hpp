@@ -83,4 +83,8 @@ inline long long point_number(const Soup& soup, int index) {
   return soup.point_labels.number(index, soup.first_number);
 }
 
+/// Throws InputError that names file, line and coordinate if one is infinite or no number. Every reader and
+/// writer of meshes asks; `mesh::validate` does so of soups that no file stands behind. O(points).
+void require_finite(const Soup& soup);
+
 } // namespace tetrarch::format

@@ -109,4 +109,12 @@ std::string source_name(const std::string& path);
 /// regular file (a device, a pipe) is written to directly.
 void write_file_atomically(const std::string& path, std::string_view content);
 
+/// Whether `write_file_atomically` can begin with this path, tried by making a file beside it and removing it
+/// again. Throws InputError as that would.
+void require_writable(const std::string& path);
+
+/// For a program that ends without return: removes what lies beside files that are just being written, and
+/// lets no other one be begun.
+void remove_unfinished_files();
+
 } // namespace tetrarch::format

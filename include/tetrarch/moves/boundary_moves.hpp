@@ -37,5 +37,6 @@ std::vector<std::vector<TetFace>> boundary_faces(const Complex& complex);
 /// ideal. Refused if a vertex link is no disk. Throws PreconditionError if the triangles are not a whole
 /// component. O(sum of the valences of the boundary edges).
 [[nodiscard]] MaybeObstacle cone(Complex& complex, const std::vector<TetFace>& component);
+[[nodiscard]] MaybeObstacle why_not_cone(const Complex& complex, const std::vector<TetFace>& component);
 
 } // namespace tetrarch::moves

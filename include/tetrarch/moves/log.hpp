@@ -69,7 +69,7 @@ std::vector<std::string> move_names();
 bool is_called(const Move& move, std::string_view word);
 
 /// Asking and doing. Throws PreconditionError if there is no such tetrahedron, or a local number is out of
-/// range. Costs as documented with the moves; asking about a cone copies the complex.
+/// range. Costs as documented with the moves; that of a cone looks for the component among all, O(n).
 [[nodiscard]] MaybeObstacle why_not_apply(const Complex& complex, const Move& move);
 [[nodiscard]] MaybeObstacle apply(Complex& complex, const Move& move);
 

@@ -16,6 +16,8 @@
 #include "tetrarch/moves/complex.hpp"
 #include "tetrarch/moves/obstacle.hpp"
 
+#include <vector>
+
 namespace tetrarch::moves {
 
 [[nodiscard]] MaybeObstacle one_four(Complex& complex, int tet);
@@ -43,6 +45,9 @@ namespace tetrarch::moves {
 [[nodiscard]] MaybeObstacle why_not_two_zero_vertex(const Complex& complex, TetVertex v);
 [[nodiscard]] MaybeObstacle why_not_two_one(const Complex& complex, DirectedTetEdge e);
 [[nodiscard]] MaybeObstacle why_not_zero_two_edge(const Complex& complex, DirectedTetEdge e, int turn);
+/// All turns for which there is no obstacle, increasing. O(valence), where asking about each takes its
+/// square.
+[[nodiscard]] std::vector<int> zero_two_turns(const Complex& complex, DirectedTetEdge e);
 [[nodiscard]] MaybeObstacle why_not_zero_two_face(const Complex& complex, TetFace f);
 
 } // namespace tetrarch::moves

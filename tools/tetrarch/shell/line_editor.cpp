@@ -4,6 +4,8 @@
 #include <iostream>
 
 #ifdef TETRARCH_HAS_LIBEDIT
+#include "tetrarch/core/error.hpp"
+
 #include <cstdio>
 #include <histedit.h>
 #include <sys/ioctl.h>
@@ -52,7 +54,7 @@ struct LineEditor::State {
     if (found.words.empty()) return CC_ERROR;
     winsize window{};
     const bool known = ioctl(STDOUT_FILENO, TIOCGWINSZ, &window) == 0 && window.ws_col > 0;
-    std::cout << '\n' << in_columns(found.words, known ? window.ws_col : 80) << std::flush;
+    std::cout << '\n' << printable(in_columns(found.words, known ? window.ws_col : 80), Lines::many) << std::flush;
     return CC_REDISPLAY;
   }
 

@@ -113,7 +113,7 @@ Status Session::run(std::string_view line, const std::string& speaker) {
 
 Status Session::complain_of(const Statement& statement, const std::string& speaker,
                             const std::string& message, Status status) const {
-  if (defaults_.json) tell(statement, status, "error", message);
+  if (defaults_.json) tell_error(statement, status, message);
   return complain(speaker, message, status);
 }
 
@@ -136,7 +136,7 @@ Status Session::execute(const Parts& statement, const std::string& speaker) {
   }
   const Parsed parsed = parse(words, verbs_, "", defaults_);
   if (!parsed.job) {
-    std::cout << parsed.text << std::flush;
+    say(parsed.text);
     return Status::done;
   }
   const JobOutcome done = run_job(*parsed.job, &values_, speaker, defaults_.json ? &statement : nullptr);
@@ -166,11 +166,11 @@ void Session::name_what_is_given(const Parts& statement, const std::string& spea
   context.values = &values_;
   assign(statement.name, read_value(statement.words.front(), context), statement);
   if (!defaults_.quiet && !context.reads->passed_over.empty())
-    std::cerr << speaker << ": warning: " << context.reads->passed_over.sentence() << '\n';
+    warn(speaker, context.reads->passed_over.sentence());
   if (defaults_.json)
     tell(statement, Status::done, "result", summary(*values_.at(statement.name)));
   else if (!defaults_.quiet)
-    std::cout << statement.name << ": " << summary(*values_.at(statement.name)) << '\n';
+    say(printable(statement.name + ": " + summary(*values_.at(statement.name))) + "\n");
 }
 
 /// What made a value is what made the values that it was made from, and the line itself.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "../command.hpp"
 #include "../describe.hpp"
+#include "../interrupts.hpp"
 #include "line_editor.hpp"
 #include "session.hpp"
 
@@ -63,10 +64,10 @@ Run declare_shell(OptionTable& table) {
   table.add("--keep-going", *keeps_going,
             "go on after a line that fails; the status is that of the first one");
   return [file, keeps_going](const Context& context) {
-    be_patient();
     Session session(context, *keeps_going);
     Result result;
     const bool typed = file->empty() && isatty(STDIN_FILENO) == 1;
+    if (typed) be_patient();
     result.status = typed ? converse(session) : session.run_file(file->empty() ? "-" : *file);
     return result;
   };
