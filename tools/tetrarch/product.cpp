@@ -4,6 +4,7 @@
 #include "input.hpp"
 #include "output.hpp"
 #include "product_files.hpp"
+#include "product_hexahedra.hpp"
 #include "product_partition.hpp"
 #include "product_report.hpp"
 #include "text.hpp"
@@ -14,7 +15,6 @@
 #include "tetrarch/format/text.hpp"
 #include "tetrarch/mesh/repair.hpp"
 #include "tetrarch/mesh/validate.hpp"
-#include "tetrarch/product/polycube.hpp"
 #include "tetrarch/scene/files.hpp"
 
 #include <algorithm>
@@ -36,12 +36,7 @@ struct Options {
   std::string follow = "smoothed";
   std::string show = "solid";
   int fibers = 60;
-  int hex = 0;
-  int layers = 0; ///< 0: cells as high as wide
-  bool smooth = false;
-  std::string polycube;
-  double step = 1; ///< of the polycube's lattice
-  int cells = 4;
+  HexahedraOptions hexahedra;
   std::string weights = "auto";
   bool anyway = false;
   bool repair = false;
@@ -55,10 +50,11 @@ void check(const Options& options) {
       throw InputError({path, 0}, "this command writes no file with this extension (expected .json, .vtu, "
                                   ".mesh, .glb, .ply, .obj or .html)");
   }
-  if (options.hex == 0 && options.layers > 0) throw InputError("--layers needs --hex");
-  if (options.hex > 0 && !options.polycube.empty())
+  const HexahedraOptions& hex = options.hexahedra;
+  if (hex.across == 0 && hex.layers > 0) throw InputError("--layers needs --hex");
+  if (hex.across > 0 && !hex.polycube.empty())
     throw InputError("--hex and --polycube exclude each other: expected one of them");
-  if (options.hex == 0 && options.polycube.empty() && options.smooth)
+  if (hex.across == 0 && hex.polycube.empty() && hex.smooth)
     throw InputError("--smooth needs --hex or --polycube");
   if (options.floor_map != "rectangle" && !options.corners.empty())
     throw InputError("--corners needs --floor-map rectangle");
@@ -96,7 +92,8 @@ mesh::TetMesh mesh_of(format::Soup soup) {
 
 product::FloorOptions floor_options(const Options& options) {
   product::FloorOptions floor;
-  if (options.floor_map == "rectangle" || options.hex > 0) floor.domain = product::FloorDomain::rectangle;
+  if (options.floor_map == "rectangle" || options.hexahedra.across > 0)
+    floor.domain = product::FloorDomain::rectangle;
   if (options.corners.empty()) return floor;
   const std::vector<long long> corners = vertices_in("--corners", options.corners);
   if (corners.size() != floor.corners.size())
@@ -122,61 +119,8 @@ void add_fibers(SolidProduct& made, const product::FiberField& field, const prod
   }
 }
 
-/// Smoothed if wanted, measured and told.
-void add_quality(SolidProduct& made, const Options& options, const Progress& progress) {
-  product::HexQuality quality = product::quality(made.hexahedra->mesh);
-  if (options.smooth) {
-    const product::HexQuality before = std::move(quality);
-    const product::Smoothed smoothed =
-        product::smooth(made.hexahedra->mesh, made.hexahedra->on_boundary, {}, progress);
-    made.report.add(smoothed_report(smoothed, before));
-    quality = product::quality(made.hexahedra->mesh);
-  }
-  made.report.add(hexahedra_report(*made.hexahedra, quality));
-  made.scaled_jacobian = std::move(quality.scaled_jacobian);
-}
-
-void add_hexahedra(SolidProduct& made, const product::FiberField& field, const product::FloorMap& floor,
-                   const Options& options, const Context& context) {
-  const product::FloorGrid grid =
-      product::floor_grid(floor.height, floor.rectangles, {.across = options.hex});
-  product::HexOptions hex;
-  hex.threads = context.threads;
-  hex.layers = options.layers > 0 ? options.layers
-                                  : std::max(1, static_cast<int>(std::lround(options.hex * field.height())));
-  made.hexahedra = product::hexahedra(field, grid, product::nodes_on_floor(field.solid(), floor, grid), hex,
-                                      context.progress);
-  made.cells = static_cast<int>(grid.cells.size());
-  made.report.add(grid_report(grid));
-  add_quality(made, options, context.progress);
-}
-
-/// Vertex k of the file is the image of vertex k of the solid; those inside are passed over.
-void add_polycube(SolidProduct& made, const product::Solid& solid, const product::Partition& partition,
-                  const Options& options, const Context& context) {
-  const format::Soup soup = read_soup(options.polycube, context);
-  std::vector<Point> image;
-  image.reserve(solid.vertex.size());
-  for (const int v : solid.vertex) {
-    if (v >= static_cast<int>(soup.points.size()))
-      throw InputError({options.polycube, 0},
-                       "the polycube has no image of vertex v" + std::to_string(v) + ": the file has " +
-                           counted(static_cast<long long>(soup.points.size()), "vertex"));
-    image.push_back(soup.points[v]);
-  }
-  std::vector<int> base;
-  base.reserve(partition.patch.size());
-  for (const int patch : partition.patch) base.push_back(patch < product::first_wall ? patch : -1);
-  product::PolycubeOptions polycube;
-  polycube.step = options.step;
-  polycube.cells = options.cells;
-  polycube.threads = context.threads;
-  product::PolycubeHexahedra found = in_file(options.polycube, [&] {
-    return product::polycube_hexahedra(solid, image, base, polycube, context.progress);
-  });
-  made.hexahedra = std::move(found.solid);
-  add_quality(made, options, context.progress);
-}
+constexpr const char* product_because =
+    "no critical point, no flipped tetrahedron, and every fiber arrives both ways";
 
 /// Fibres and what hangs on them, of a field without critical places.
 void add_coordinates(SolidProduct& made, const product::FloorMap& floor, const product::HarmonicField& field,
@@ -187,10 +131,16 @@ void add_coordinates(SolidProduct& made, const product::FloorMap& floor, const p
   product::Coordinates coordinates = product::coordinates(fibers, floor, context.threads, context.progress);
   made.report.add(coordinates_report(coordinates));
   made.uvw = std::move(coordinates.uvw);
-  made.report.add(quality_report(product::quality(made.at.solid, made.uvw)));
-  made.report.add(confirmation_report(product::confirm(fibers, context.threads, context.progress)));
+  const product::Quality quality = product::quality(made.at.solid, made.uvw);
+  made.report.add(quality_report(made.at.solid, quality));
+  const product::Confirmation confirmation = product::confirm(fibers, context.threads, context.progress);
+  made.report.add(confirmation_report(confirmation));
+  const std::vector<std::string> doubts = doubts_about(coordinates, quality, confirmation);
+  made.report.add(verdict_report({"product", "a product", doubts, product_because}));
+  if (options.hexahedra.polycube.empty()) made.doubts.insert(made.doubts.end(), doubts.begin(), doubts.end());
   add_fibers(made, fibers, floor, options.fibers);
-  if (options.hex > 0 && floor.found) add_hexahedra(made, fibers, floor, options, context);
+  if (options.hexahedra.across > 0 && floor.found)
+    add_hexahedra(made, fibers, floor, options.hexahedra, context);
 }
 
 struct Field {
@@ -221,7 +171,8 @@ SolidProduct make(const Options& options, const Context& context) {
     return partitioned(product::solid(std::move(mesh)), soup, options.partition, context);
   });
   made.report.add(partition_report(start.solid, start.partition, start.how));
-  if (!options.polycube.empty()) add_polycube(made, start.solid, start.partition, options, context);
+  if (!options.hexahedra.polycube.empty())
+    add_polycube(made, start.solid, start.partition, options.hexahedra, context);
   made.at = product::split_shortcuts(std::move(start.solid), std::move(start.partition));
 
   const product::FloorMap floor = in_file(options.input, [&] {
@@ -257,6 +208,10 @@ Result run_product(const Options& options, const Context& context) {
   made.report.json["seconds"] =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   Result result;
+  if (made.status == Status::done && !made.doubts.empty()) {
+    made.status = Status::undecided;
+    made.report.warnings.push_back("the result is not to be relied on: " + joined(made.doubts, "; "));
+  }
   result.status = made.status;
   const ProductTitle title{options.input, options.floor_map};
   if (!made.uvw.empty())
@@ -331,19 +286,27 @@ Run declare_product(OptionTable& table) {
       .with_default();
   table.add("--anyway", o->anyway, "go on in spite of critical points");
   table
-      .add("--hex", o->hex,
+      .add("--hex", o->hexahedra.across,
            "make hexahedra, this many across the rectangle's width (implies --floor-map rectangle)")
       .in_range(1, 100'000);
-  table.add("--layers", o->layers, "number of layers of hexahedra (default: as high as wide)")
+  table.add("--layers", o->hexahedra.layers, "number of layers of hexahedra (default: as high as wide)")
       .in_range(1, 100'000);
-  table.add("--smooth", o->smooth, "improve hexahedra by moving points inside the solid");
+  table.add("--smooth", o->hexahedra.smooth, "improve hexahedra by moving points inside the solid");
   table
-      .add("--polycube", o->polycube,
+      .add("--polycube", o->hexahedra.polycube,
            "make hexahedra from a polycube: a mesh whose vertex k is the image of the solid's vertex k on a "
            "surface of cubes; vertices inside the solid do not matter")
       .value_name("MESH");
-  table.add("--step", o->step, "lattice step of the polycube's corners").positive().with_default();
-  table.add("--cells", o->cells, "number of hexahedra along a lattice step").in_range(1, 1000).with_default();
+  table.add("--step", o->hexahedra.step, "lattice step of the polycube's corners").positive().with_default();
+  table.add("--cells", o->hexahedra.cells, "number of hexahedra along a lattice step")
+      .in_range(1, 1000)
+      .with_default();
+  table
+      .add("--volume-tolerance", o->hexahedra.volume_tolerance,
+           "greatest relative difference between the volumes of the hexahedra and of the solid; beyond, the "
+           "exit status is 4")
+      .in_range(0.0, 1.0)
+      .with_default();
   table.add("--show", o->show, "content of the files: the solid, or its domain")
       .one_of({"solid", "domain"})
       .with_default();
