@@ -1090,6 +1090,43 @@ class Product(InFolder):
         self.assertIn("no image of vertex", self.refused(frame, *seeds, "--polycube", os.path.join(SOURCE, "tests/data/mesh/cube.off")))
         self.assertNotEqual(self.refused(frame, *seeds, "--polycube", frame, "--step", "0.7"), "")
 
+    def test_a_solid_that_is_its_own_polycube(self):
+        # Seven of the eight cubes of a block, six tetrahedra each. Nobody says what is floor.
+        six = [[0, 1, 3, 7], [0, 3, 2, 7], [0, 2, 6, 7], [0, 6, 4, 7], [0, 4, 5, 7], [0, 5, 1, 7]]
+        points = [[float(x), float(y), float(z)] for z in range(3) for y in range(3) for x in range(3)]
+        cubes = [(x, y, z) for z in range(2) for y in range(2) for x in range(2) if (x, y, z) != (0, 0, 1)]
+        tetrahedra = [[(x + (t & 1)) + 3 * (y + (t >> 1 & 1)) + 9 * (z + (t >> 2)) for t in tet] for x, y, z in cubes for tet in six]
+        seven = self.write("seven.mesh", points, tetrahedra)  # with a point that belongs to nothing: (0, 0, 2)
+        path = self.path("hex.mesh")
+        status, made = run_json("product", seven, "--polycube", seven, "--cells", "2", "-o", path)
+        self.assertEqual((status, made["hexahedra"], made["inverted"], made["left_out"]), (0, 56, 0, 0))
+        self.assertEqual((made["min_scaled_jacobian"], made["mean_scaled_jacobian"]), (1, 1))
+        self.assertEqual(made["volume"], {"hexahedra": 7, "solid": 7, "relative_error": 0})
+        written = self.read(path)
+        self.assertEqual(sorted(p[:3] for p in written["Vertices"]),
+                         sorted([x / 2, y / 2, z / 2] for x in range(5) for y in range(5) for z in range(5) if not (x < 2 and y < 2 and z > 2)))
+        # Images inside that fold the map are passed over: (1, 1, 1) is the only point inside of the whole block.
+        block = self.write("block.mesh", points, [[(x + (t & 1)) + 3 * (y + (t >> 1 & 1)) + 9 * (z + (t >> 2)) for t in tet]
+                                                  for z in range(2) for y in range(2) for x in range(2) for tet in six])
+        points[13] = [7.0, 7.0, 7.0]
+        wild = self.write("wild.mesh", points, tetrahedra)
+        status, made = run_json("product", block, "--polycube", wild, "--cells", "2")
+        self.assertEqual((status, made["hexahedra"], made["carried_by"]), (0, 64, "a harmonic map"))
+        self.assertGreater(made["min_scaled_jacobian"], 1 - 1e-9)
+
+    def test_a_point_that_belongs_to_nothing(self):
+        n = 3
+        points = [[x / n, y / n, z / n] for z in range(n + 1) for y in range(n + 1) for x in range(n + 1)]
+        six = [[0, 1, 3, 7], [0, 3, 2, 7], [0, 2, 6, 7], [0, 6, 4, 7], [0, 4, 5, 7], [0, 5, 1, 7]]
+        tetrahedra = [[(x + (t & 1)) + (n + 1) * (y + (t >> 1 & 1)) + (n + 1) ** 2 * (z + (t >> 2)) for t in tet]
+                      for z in range(n) for y in range(n) for x in range(n) for tet in six]
+        results = []
+        for name, more in (("cube.mesh", []), ("orphan.mesh", [[0.1, 0.2, 0.3]])):
+            status, made = run_json("product", self.write(name, points + more, tetrahedra), "--hex", "4")
+            self.assertEqual((status, made["product"]["verdict"]), (0, "yes"))
+            results.append({k: v for k, v in made.items() if k not in ("seconds", "input")})
+        self.assertEqual(*results)
+
     def test_bad_partitions(self):
         self.assertIn("label 9", self.refused(self.ridges, "--labels", "1,9"))
         # Floor and hole's wall: they touch.

@@ -20,6 +20,7 @@
 #include <algorithm>
 #include <chrono>
 #include <memory>
+#include <optional>
 
 namespace tetrarch::program {
 namespace {
@@ -119,13 +120,19 @@ void add_fibers(SolidProduct& made, const product::FiberField& field, const prod
   }
 }
 
+struct Field {
+  product::HarmonicField harmonic;
+  product::CriticalPlaces critical;
+  bool clamped = false;
+};
+
 constexpr const char* product_because =
     "no critical point, no flipped tetrahedron, and every fiber arrives both ways";
 
 /// Fibres and what hangs on them, of a field without critical places.
-void add_coordinates(SolidProduct& made, const product::FloorMap& floor, const product::HarmonicField& field,
+void add_coordinates(SolidProduct& made, const product::FloorMap& floor, const Field& field,
                      const Options& options, const Context& context) {
-  const product::FiberField fibers(made.at.solid, made.at.partition, field.w,
+  const product::FiberField fibers(made.at.solid, made.at.partition, field.harmonic.w,
                                    options.follow == "gradient" ? product::Direction::gradient
                                                                 : product::Direction::smoothed);
   product::Coordinates coordinates = product::coordinates(fibers, floor, context.threads, context.progress);
@@ -135,19 +142,14 @@ void add_coordinates(SolidProduct& made, const product::FloorMap& floor, const p
   made.report.add(quality_report(made.at.solid, quality));
   const product::Confirmation confirmation = product::confirm(fibers, context.threads, context.progress);
   made.report.add(confirmation_report(confirmation));
-  const std::vector<std::string> doubts = doubts_about(coordinates, quality, confirmation);
+  std::vector<std::string> doubts = doubts_about(coordinates, quality, confirmation);
+  if (!field.critical.none()) doubts.emplace_back("the field has critical points");
   made.report.add(verdict_report({"product", "a product", doubts, product_because}));
   if (options.hexahedra.polycube.empty()) made.doubts.insert(made.doubts.end(), doubts.begin(), doubts.end());
   add_fibers(made, fibers, floor, options.fibers);
   if (options.hexahedra.across > 0 && floor.found)
     add_hexahedra(made, fibers, floor, options.hexahedra, context);
 }
-
-struct Field {
-  product::HarmonicField harmonic;
-  product::CriticalPlaces critical;
-  bool clamped = false;
-};
 
 /// With cotangent weights; where they leave critical places, and nobody asked for them, with clamped ones.
 Field solved(const product::SplitSolid& at, double height, const Options& options, const Context& context) {
@@ -163,17 +165,40 @@ Field solved(const product::SplitSolid& at, double height, const Options& option
   return field;
 }
 
+/// The solid with its partition, and with the hexahedra of a polycube if there is one: these need no
+/// partition if the map alone carries them well. Nothing where there are hexahedra and no partition.
+std::optional<PartitionedSolid> started(SolidProduct& made, const Options& options, const Context& context) {
+  const format::Soup soup = read(options, made.report, context);
+  product::Solid solid = in_file(options.input, [&] { return product::solid(mesh_of(soup)); });
+  const std::string& path = options.hexahedra.polycube;
+  CarriedCubes carried;
+  format::Soup polycube;
+  const double volume = product::volume(solid);
+  if (!path.empty()) {
+    polycube = read_soup(path, context);
+    carried = carried_by_map(solid, polycube, options.hexahedra, context);
+  }
+  std::optional<PartitionedSolid> start;
+  try {
+    start = in_file(options.input,
+                    [&] { return partitioned(std::move(solid), soup, options.partition, context); });
+  } catch (const InputError& e) {
+    if (!carried.hexahedra || is_given(options.partition)) throw;
+    made.report.warnings.emplace_back(e.what());
+  }
+  if (start) made.report.add(partition_report(start->solid, start->partition, start->how));
+  if (path.empty()) return start;
+  if (start && !carried.is_good()) try_fibers(carried, *start, polycube, options.hexahedra, context);
+  add_polycube(made, std::move(carried), volume, options.hexahedra, context);
+  return start;
+}
+
 SolidProduct make(const Options& options, const Context& context) {
   SolidProduct made;
-  const format::Soup soup = read(options, made.report, context);
-  mesh::TetMesh mesh = mesh_of(soup);
-  PartitionedSolid start = in_file(options.input, [&] {
-    return partitioned(product::solid(std::move(mesh)), soup, options.partition, context);
-  });
-  made.report.add(partition_report(start.solid, start.partition, start.how));
-  if (!options.hexahedra.polycube.empty())
-    add_polycube(made, start.solid, start.partition, options.hexahedra, context);
-  made.at = product::split_shortcuts(std::move(start.solid), std::move(start.partition));
+  std::optional<PartitionedSolid> start = started(made, options, context);
+  if (!start) return made;
+  made.at = product::split_shortcuts(std::move(start->solid), std::move(start->partition));
+  const bool is_polycube = made.hexahedra.has_value(); // the hexahedra are the result, whatever else there is
 
   const product::FloorMap floor = in_file(options.input, [&] {
     return product::floor_map(made.at.solid, made.at.partition, floor_options(options), context.progress);
@@ -184,20 +209,22 @@ SolidProduct make(const Options& options, const Context& context) {
   const Field field = solved(made.at, height, options, context);
   made.report.add(field_report(field.harmonic, height, made.at.splits, field.clamped));
   made.report.add(critical_report(made.at.solid, field.critical));
-  if (!floor.found) made.status = Status::undecided;
+  if (!floor.found && !is_polycube) made.status = Status::undecided;
+  const std::string without = is_polycube ? "there are no coordinates" : "nothing was written";
   if (!field.critical.none()) {
-    made.status = Status::proved_no;
+    if (!is_polycube) made.status = Status::proved_no;
     if (!options.anyway) {
-      made.report.warnings.emplace_back("the field has critical points, so the solid is no product with this "
-                                        "partition; nothing was written (--anyway goes on)");
+      made.report.warnings.push_back("the field has critical points, so the solid is no product with this "
+                                     "partition; " +
+                                     without + " (--anyway goes on)");
       return made;
     }
   }
   if (floor.flipped == floor.mesh.surface.triangle_count()) {
-    made.report.warnings.emplace_back("there is no map of the floor; nothing was written");
+    made.report.warnings.push_back("there is no map of the floor; " + without);
     return made;
   }
-  add_coordinates(made, floor, field.harmonic, options, context);
+  add_coordinates(made, floor, field, options, context);
   return made;
 }
 
@@ -214,10 +241,11 @@ Result run_product(const Options& options, const Context& context) {
   }
   result.status = made.status;
   const ProductTitle title{options.input, options.floor_map};
-  if (!made.uvw.empty())
-    for (const std::string& path : options.outputs)
-      result.files.push_back({path, product_file(path, made, title, options.show == "domain")});
-  if (!made.uvw.empty() && context.values != nullptr)
+  for (const std::string& path : options.outputs) {
+    if (made.uvw.empty() && (!made.hexahedra || format::has_extension(path, ".html"))) continue;
+    result.files.push_back({path, product_file(path, made, title, options.show == "domain")});
+  }
+  if ((!made.uvw.empty() || made.hexahedra) && context.values != nullptr)
     result.value = std::make_shared<Value>(product_document(made, title));
   result.text = block(made.report.rows);
   result.json = std::move(made.report.json);
@@ -295,7 +323,7 @@ Run declare_product(OptionTable& table) {
   table
       .add("--polycube", o->hexahedra.polycube,
            "make hexahedra from a polycube: a mesh whose vertex k is the image of the solid's vertex k on a "
-           "surface of cubes; vertices inside the solid do not matter")
+           "surface of cubes; images of vertices inside the solid are used where no tetrahedron is flipped")
       .value_name("MESH");
   table.add("--step", o->hexahedra.step, "lattice step of the polycube's corners").positive().with_default();
   table.add("--cells", o->hexahedra.cells, "number of hexahedra along a lattice step")

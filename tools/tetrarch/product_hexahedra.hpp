@@ -5,9 +5,13 @@
 
 #include "command.hpp"
 #include "product_files.hpp"
+#include "product_partition.hpp"
 
+#include "tetrarch/format/soup.hpp"
+#include "tetrarch/product/hex_mesh.hpp"
 #include "tetrarch/product/product.hpp"
 
+#include <optional>
 #include <string>
 
 namespace tetrarch::program {
@@ -30,8 +34,29 @@ struct HexahedraOptions {
 void add_hexahedra(SolidProduct& made, const product::FiberField& field, const product::FloorMap& floor,
                    const HexahedraOptions& options, const Context& context);
 
-/// From the polycube. Throws InputError.
-void add_polycube(SolidProduct& made, const product::Solid& solid, const product::Partition& partition,
+/// Cubes carried into a solid, the best of the ways that were tried; none if no way was open.
+struct CarriedCubes {
+  std::optional<product::SolidHexahedra> hexahedra;
+  product::HexQuality quality;
+  std::string how;
+
+  /// Whether no other way needs to be tried.
+  bool is_good() const;
+};
+
+/// By a map of all of the solid that turns no tetrahedron over: the one in the polycube's file, whose vertex
+/// k is the image of the solid's vertex k, or one that agrees with it on the boundary and is harmonic inside.
+/// No partition is needed. Throws InputError where the boundary is no polycube.
+CarriedCubes carried_by_map(const product::Solid& solid, const format::Soup& polycube,
+                            const HexahedraOptions& options, const Context& context);
+
+/// Along fibers, if that is better than what there is. The images of vertices made by splitting edges lie on
+/// the images of these. Throws InputError if no way was open at all.
+void try_fibers(CarriedCubes& carried, const PartitionedSolid& solid, const format::Soup& polycube,
+                const HexahedraOptions& options, const Context& context);
+
+/// Throws PreconditionError if there are none.
+void add_polycube(SolidProduct& made, CarriedCubes carried, double solid_volume,
                   const HexahedraOptions& options, const Context& context);
 
 } // namespace tetrarch::program
