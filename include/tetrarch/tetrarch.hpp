@@ -146,6 +146,7 @@
 #include "tetrarch/product/hexahedra.hpp"
 #include "tetrarch/product/partition.hpp"
 #include "tetrarch/product/polycube.hpp"
+#include "tetrarch/product/polycube_pullback.hpp"
 #include "tetrarch/product/product.hpp"
 #include "tetrarch/product/smooth.hpp"
 #include "tetrarch/product/solid.hpp"

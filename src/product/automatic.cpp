@@ -133,9 +133,12 @@ std::optional<Automatic> by_ridges(const Search& search, const Progress& progres
     }
   }
   if (!best) return {};
-  return Automatic{search.solid, *std::move(best), best_score,
+  return Automatic{search.solid,
+                   *std::move(best),
+                   best_score,
                    "floor and ceiling are two of the sides between ridges of more than " +
-                       std::to_string(std::lround(search.options.ridge_degrees)) + " degrees"};
+                       std::to_string(std::lround(search.options.ridge_degrees)) + " degrees",
+                   {}};
 }
 
 //
@@ -237,17 +240,18 @@ Automatic built(const Search& search, const Candidate& c) {
   if (search.options.smooth_rims) {
     Levelled below = split_at_level(search.solid, values, -c.threshold);
     Levelled both = split_at_level(below.solid, std::move(below.values), c.threshold);
+    below.splits.insert(below.splits.end(), both.splits.begin(), both.splits.end());
     const std::vector<int> base = bases_beyond(both.solid, both.values, c.threshold);
     // Splits change no topology: the homology was checked before.
     if (std::optional<Partition> found = accepted(both.solid, base, {})) {
       const double value = score(both.solid, *found);
-      return {std::move(both.solid), *std::move(found), value, how};
+      return {std::move(both.solid), *std::move(found), value, how, std::move(below.splits)};
     }
   }
   const std::vector<int> base = bases_beyond(search.solid, values, c.threshold);
   Partition found = try_partition(search.solid, base, -1, nullptr).partition.value();
   const double value = score(search.solid, found);
-  return {search.solid, std::move(found), value, how};
+  return {search.solid, std::move(found), value, how, {}};
 }
 
 /// The best partition with this axis; its score is negative if there is none.
@@ -287,9 +291,13 @@ std::optional<Automatic> by_axes(const Search& search, const Progress& progress)
 
 /// What a tunnel's function makes of the solid, if that is a partition.
 std::optional<Automatic> between_levels(const Search& search, Tunnel found) {
-  Levelled at{search.solid, std::move(found.values)};
-  if (search.options.smooth_rims)
-    for (const double level : found.levels) at = split_at_level(at.solid, std::move(at.values), level);
+  Levelled at{search.solid, std::move(found.values), {}};
+  std::vector<mesh::EdgePoint> splits;
+  for (const double level : found.levels) {
+    if (!search.options.smooth_rims) break;
+    at = split_at_level(at.solid, std::move(at.values), level);
+    splits.insert(splits.end(), at.splits.begin(), at.splits.end());
+  }
   std::vector<int> base;
   base.reserve(at.values.size());
   for (const auto& [a, b, c] : at.values) {
@@ -303,7 +311,7 @@ std::optional<Automatic> between_levels(const Search& search, Tunnel found) {
   std::optional<Partition> patches = accepted(at.solid, base, {});
   if (!patches) return {};
   const double value = score(at.solid, *patches);
-  return Automatic{std::move(at.solid), *std::move(patches), value, found.how};
+  return Automatic{std::move(at.solid), *std::move(patches), value, found.how, std::move(splits)};
 }
 
 /// What tells good partitions from bad ones, by the field that has no extrema inside.

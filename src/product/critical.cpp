@@ -111,6 +111,7 @@ CriticalPlaces critical_places(const Solid& solid, const Partition& partition, c
 
   const Stars around = stars(solid);
   for (int v = 0; v < static_cast<int>(w.size()); ++v) {
+    if (around.first[v] == around.first[v + 1]) continue; // a point that belongs to nothing
     Link link(v, w, base);
     for (int k = around.first[v]; k < around.first[v + 1]; ++k) {
       std::array<int, 3> face{};

@@ -33,8 +33,10 @@ System equations(const std::vector<WeightedEdge>& edges, const std::vector<int>&
   System s;
   s.unknown.assign(base.size(), -1);
   int size = 0;
+  std::vector<char> used(base.size(), 0); // files have points that belong to nothing
+  for (const WeightedEdge& e : edges) used[e.from] = used[e.to] = 1;
   for (std::size_t v = 0; v < base.size(); ++v)
-    if (base[v] < 0) s.unknown[v] = size++;
+    if (base[v] < 0 && used[v] != 0) s.unknown[v] = size++;
   s.right.assign(static_cast<std::size_t>(size), 0.0);
 
   // Edges come in increasing order of the lesser vertex, then of the other: that of a lower triangle.
@@ -133,7 +135,7 @@ HarmonicField harmonic_field(const Solid& solid, const Partition& partition, con
                                     ? solve_iteratively(system, options.tolerance, field.iterations, progress)
                                     : solve_directly(system);
   for (std::size_t v = 0; v < base.size(); ++v)
-    if (base[v] < 0) field.w[v] = x[system.unknown[v]];
+    if (system.unknown[v] >= 0) field.w[v] = x[system.unknown[v]];
 
   const std::vector<double> flux = mesh::fluxes(edges, field.w);
   for (std::size_t v = 0; v < base.size(); ++v) {

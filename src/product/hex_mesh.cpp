@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <utility>
 
 namespace tetrarch::product {
 namespace {
@@ -17,6 +19,16 @@ constexpr std::array<std::array<int, 3>, 8> neighbors{
 /// Opposite faces, those of greater coordinate first.
 constexpr std::array<std::array<std::array<int, 4>, 2>, 3> opposite_faces{
     {{{{1, 2, 5, 6}, {0, 3, 4, 7}}}, {{{2, 3, 6, 7}, {0, 1, 4, 5}}}, {{{4, 5, 6, 7}, {0, 1, 2, 3}}}}};
+
+/// Seen from outside each is counterclockwise.
+constexpr std::array<std::array<int, 4>, 6> sides{
+    {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}}};
+
+Point middle(const std::array<Point, 8>& corners) {
+  Point center{};
+  for (const Point& p : corners) center = center + 1.0 / 8 * p;
+  return center;
+}
 
 double scaled_determinant(const Vector& a, const Vector& b, const Vector& c) {
   const double lengths = norm(a) * norm(b) * norm(c);
@@ -45,6 +57,31 @@ double scaled_jacobian(const std::array<Point, 8>& corners) {
   return least;
 }
 
+double volume(const std::array<Point, 8>& corners) {
+  // From a corner, so that cells of round coordinates have exact volumes wherever they are.
+  double twelve = 0;
+  for (const auto& side : sides)
+    for (std::size_t k = 0; k < 4; ++k) {
+      const Vector a = corners[side[k]] - corners[0];
+      const Vector b = corners[side[(k + 1) % 4]] - corners[0];
+      const Vector c = corners[side[(k + 2) % 4]] - corners[0];
+      twelve += dot(a, cross(b, c));
+    }
+  return twelve / 12;
+}
+
+double volume(const HexMesh& mesh) {
+  double sum = 0;
+  for (std::size_t h = 0; h < mesh.hexahedra.size(); ++h) sum += volume(mesh.corners(h));
+  return sum;
+}
+
+bool is_better(const HexQuality& a, const HexQuality& b) {
+  if (a.bad.size() != b.bad.size()) return a.bad.size() < b.bad.size();
+  if (a.minimum != b.minimum) return a.minimum > b.minimum;
+  return a.mean > b.mean;
+}
+
 HexQuality quality(const HexMesh& mesh) {
   HexQuality q;
   q.scaled_jacobian.reserve(mesh.hexahedra.size());
@@ -56,11 +93,16 @@ HexQuality quality(const HexMesh& mesh) {
     q.minimum = std::min(q.minimum, j);
     total += j;
     ++q.histogram[static_cast<std::size_t>(std::clamp(std::floor(10 * j) + 10, 0.0, 19.0))];
-    if (j > 0) continue;
-    Point center{};
-    for (const Point& p : corners) center = center + 1.0 / 8 * p;
-    q.bad.push_back({static_cast<int>(h), j, center});
+    if (!(j > 0)) q.bad.push_back({static_cast<int>(h), j, middle(corners)});
   }
+  std::vector<int> order(mesh.hexahedra.size());
+  std::iota(order.begin(), order.end(), 0);
+  const auto named = order.begin() + static_cast<std::ptrdiff_t>(std::min(worst_named, order.size()));
+  std::partial_sort(order.begin(), named, order.end(), [&](int g, int h) {
+    return std::pair(q.scaled_jacobian[g], g) < std::pair(q.scaled_jacobian[h], h);
+  });
+  for (auto h = order.begin(); h != named; ++h)
+    q.worst.push_back({*h, q.scaled_jacobian[*h], middle(mesh.corners(*h))});
   if (!mesh.hexahedra.empty()) q.mean = total / static_cast<double>(mesh.hexahedra.size());
   return q;
 }

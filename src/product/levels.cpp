@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "levels.hpp"
 
-#include "tetrarch/mesh/split_edges.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -51,7 +49,7 @@ Levelled split_at_level(const Solid& solid, CornerValues values, double level) {
     }
   const int old_points = static_cast<int>(solid.mesh.points.size());
   mesh::SplitTets split = mesh::split_edges(solid.mesh, splits);
-  Levelled result{product::solid(std::move(split.mesh)), {}};
+  Levelled result{product::solid(std::move(split.mesh)), {}, std::move(splits)};
   result.values.reserve(result.solid.face.size());
   for (int t = 0; t < result.solid.boundary.triangle_count(); ++t) {
     const TetFace face = result.solid.face[t];

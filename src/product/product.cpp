@@ -149,13 +149,17 @@ Coordinates coordinates(const FiberField& field, const FloorMap& floor, int thre
   const int count = static_cast<int>(solid.mesh.points.size());
   std::vector<Fiber> fibers(solid.mesh.points.size());
   numeric::parallel_for(
-      count, {threads, batch}, [&](int v) { fibers[v] = field.trace(field.at_vertex(v), Way::down); },
+      count, {threads, batch},
+      [&](int v) {
+        if (field.is_used(v)) fibers[v] = field.trace(field.at_vertex(v), Way::down);
+      },
       [&](double part) { progress.step("fibres", part); });
 
   Coordinates result;
   result.uvw.resize(solid.mesh.points.size());
   std::vector<char> known(solid.mesh.points.size(), 1);
   for (int v = 0; v < count; ++v) {
+    if (!field.is_used(v)) continue;
     const Fiber& fiber = fibers[v];
     std::complex<double> uv;
     for (int k = 0; k < 4; ++k) uv += fiber.at.weight[k] * position[solid.corners(fiber.at.tet)[k]];
@@ -208,6 +212,7 @@ Confirmation confirm(const FiberField& field, int threads, const Progress& progr
   numeric::parallel_for(
       count, {threads, batch},
       [&](int v) {
+        if (!field.is_used(v)) return;
         const Fiber down = field.trace(field.at_vertex(v), Way::down);
         if (down.end != FiberEnd::base) return;
         const Fiber up = field.trace_to(down.at, Way::up, field.w()[v]);
@@ -217,7 +222,10 @@ Confirmation confirm(const FiberField& field, int threads, const Progress& progr
       [&](double part) { progress.step("the opposite way", part); });
   const double unit = mean_edge(solid);
   Confirmation result;
+  int used = 0;
   for (int v = 0; v < count; ++v) {
+    if (!field.is_used(v)) continue;
+    ++used;
     if (distance[v] < 0) {
       ++result.not_arrived;
       continue;
@@ -229,7 +237,7 @@ Confirmation confirm(const FiberField& field, int threads, const Progress& progr
     result.worst = v;
     result.max_distance = d;
   }
-  if (count > result.not_arrived) result.mean_distance /= count - result.not_arrived;
+  if (used > result.not_arrived) result.mean_distance /= used - result.not_arrived;
   return result;
 }
 

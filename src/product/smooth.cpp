@@ -141,12 +141,14 @@ Smoothed smooth(HexMesh& mesh, const std::vector<char>& fixed, const SmoothOptio
   const HexQuality before = quality(mesh);
   result.minimum_before = before.minimum;
   result.bad_before = static_cast<int>(before.bad.size());
-  std::vector<char> has_moved(fixed.size(), 0);
+  const std::vector<Point> start = mesh.points;
+  std::vector<Point> best_points = start;
+  HexQuality best = before;
   Smoother smoother(mesh, options);
   bool is_tangled = true;
+  HexQuality now = before;
   for (bool moving = true; moving && result.sweeps < options.most_sweeps; ++result.sweeps) {
     if (is_tangled) {
-      const HexQuality now = quality(mesh);
       is_tangled = !now.bad.empty();
       smoother.set_tangled(is_tangled, now.minimum);
     }
@@ -154,8 +156,12 @@ Smoothed smooth(HexMesh& mesh, const std::vector<char>& fixed, const SmoothOptio
     for (std::size_t v = 0; v < fixed.size(); ++v) {
       if (v % 1024 == 0) progress.step("smoothing", result.sweeps / static_cast<double>(options.most_sweeps));
       if (fixed[v] != 0 || !smoother.improve(static_cast<int>(v))) continue;
-      has_moved[v] = 1;
       moving = true;
+    }
+    now = quality(mesh);
+    if (is_better(now, best)) {
+      best = now;
+      best_points = mesh.points;
     }
     if (is_tangled && !moving) { // what cannot be untangled stays so
       is_tangled = false;
@@ -163,10 +169,10 @@ Smoothed smooth(HexMesh& mesh, const std::vector<char>& fixed, const SmoothOptio
       smoother.set_tangled(false, -1);
     }
   }
-  const HexQuality after = quality(mesh);
-  result.minimum_after = after.minimum;
-  result.bad_after = static_cast<int>(after.bad.size());
-  result.moved = static_cast<int>(std::count(has_moved.begin(), has_moved.end(), 1));
+  result.minimum_after = best.minimum;
+  result.bad_after = static_cast<int>(best.bad.size());
+  for (std::size_t v = 0; v < start.size(); ++v) result.moved += best_points[v] == start[v] ? 0 : 1;
+  mesh.points = std::move(best_points);
   return result;
 }
 

@@ -3,6 +3,7 @@
 
 #include "tetrarch/core/error.hpp"
 #include "tetrarch/numeric/predicates.hpp"
+#include "tetrarch/numeric/vector.hpp"
 
 #include <string>
 #include <utility>
@@ -62,6 +63,16 @@ Solid solid(mesh::TetMesh mesh) {
     throw InputError("the boundary of the solid has " + std::to_string(surfaces) +
                      " components; a handlebody has one");
   return result;
+}
+
+double volume(const Solid& solid) {
+  using namespace numeric;
+  double six = 0;
+  for (const auto& v : solid.mesh.tetrahedra) {
+    const Point& p = solid.point(v[0]);
+    six += dot(solid.point(v[1]) - p, cross(solid.point(v[2]) - p, solid.point(v[3]) - p));
+  }
+  return six / 6;
 }
 
 int genus(const Solid& solid) {

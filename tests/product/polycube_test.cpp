@@ -4,6 +4,7 @@
 #include "support/errors.hpp"
 #include "support/solids.hpp"
 #include "tetrarch/numeric/vector.hpp"
+#include "tetrarch/product/polycube_pullback.hpp"
 
 #include <algorithm>
 #include <catch2/catch.hpp>
@@ -242,6 +243,57 @@ TEST_CASE("A floor that goes round a ridge is followed, where edges across it ar
   // As for the L: but for fibres that become one, an edge being 2 long.
   CHECK(mean / static_cast<double>(made.cubes.points.size()) < 0.1 * 2);
   CHECK(farthest(made, similar) < 2);
+}
+
+TEST_CASE("A solid that is its own polycube gets its own cubes back", "[polycube]") {
+  // The harmonic map of the identity is the identity, whatever the mesh; what is at a vertex is found there.
+  for (const Voxels& voxels : {corner(1), corner(2), frame(1, 2), Voxels({2, 2, 2}, true)}) {
+    const Mapped m(voxels, same);
+    const auto image = harmonic_image(m.solid, m.image);
+    REQUIRE(image);
+    for (std::size_t v = 0; v < image->size(); ++v)
+      CHECK(numeric::distance((*image)[v], m.solid.mesh.points[v]) < 1e-12);
+    CHECK(folded(m.solid, *image).empty());
+    for (const int cells : {1, 2, 3}) {
+      PolycubeOptions options;
+      options.cells = cells;
+      const PolycubeHexahedra made = pulled_back(m.solid, m.solid.mesh.points, options);
+      CHECK(made.solid.left_out == 0);
+      CHECK(made.solid.mesh.hexahedra == made.cubes.hexahedra);
+      if (cells < 3) { // halves are exact
+        CHECK(made.solid.mesh.points == made.cubes.points);
+        CHECK(quality(made.solid.mesh).minimum == 1);
+      }
+      CHECK(farthest(made, same) < 1e-12);
+      CHECK(quality(pulled_back(m.solid, *image, options).solid.mesh).minimum > 1 - 1e-9);
+    }
+  }
+}
+
+TEST_CASE("Cubes are carried by any map that folds nothing", "[polycube]") {
+  // Corners of the cubes that are vertices of the mesh go where these are, and no others are asked for.
+  for (const int fine : {2, 4}) {
+    const Mapped m(frame(1, fine), sheared);
+    PolycubeOptions options;
+    options.step = fine;
+    options.cells = fine;
+    std::vector<Point> inside(m.solid.mesh.points.size());
+    const auto cubes = support::mesh_of(frame(1, fine));
+    for (std::size_t v = 0; v < inside.size(); ++v) inside[v] = cubes.points[v];
+    const PolycubeHexahedra made = pulled_back(m.solid, inside, options);
+    CHECK(made.solid.mesh.hexahedra.size() == static_cast<std::size_t>(8 * fine * fine * fine));
+    CHECK(farthest(made, sheared) < 1e-12);
+    CHECK(quality(made.solid.mesh).bad.empty());
+    // By hand, of fine layers of (3 fine + 1)^2 points less (fine - 1)^2 in the hole, those inside: off both
+    // planes, off the outside and off the hole's rim.
+    const int ring = (3 * fine - 1) * (3 * fine - 1) - (fine + 1) * (fine + 1);
+    CHECK(std::count(made.solid.on_boundary.begin(), made.solid.on_boundary.end(), 0) == ring * (fine - 1));
+    // A folded map has no inverse.
+    std::swap(inside[0], inside[1]);
+    CHECK_FALSE(folded(m.solid, inside).empty());
+    CHECK_THROWS_AS(pulled_back(m.solid, inside, options), PreconditionError);
+  }
+  CHECK_THROWS_AS(harmonic_image(Mapped(corner(1), same).solid, {}), PreconditionError);
 }
 
 TEST_CASE("A surface that covers the polycube twice is refused", "[polycube]") {

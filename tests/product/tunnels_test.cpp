@@ -68,7 +68,7 @@ struct Tried {
 std::optional<Tried> tried(const Solid& whole, const TunnelLoops& loops, int branches) {
   std::optional<Tunnel> found = tunnel(whole, loops, branches);
   if (!found) return {};
-  Levelled at{whole, found->values};
+  Levelled at{whole, found->values, {}};
   for (const double level : found->levels) at = split_at_level(at.solid, std::move(at.values), level);
   found->values = at.values;
   std::vector<int> base = bases_of(*found);

@@ -938,8 +938,66 @@ class Product(InFolder):
 
     def test_a_smooth_solid_without_help(self):
         status, made = run_json("product", self.smooth)
-        self.assertEqual((status, made["holes"], made["stuck_fibers"]), (0, 5, 0))
+        self.assertEqual((made["holes"], made["stuck_fibers"]), (5, 0))
         self.assertEqual(made["critical"], {"flat_tetrahedra": [], "vertices": []})
+        # A field without critical points is not yet a map without folds: what is flipped is counted, named, and no product.
+        self.assertGreater(made["flipped"], 0)
+        self.assertEqual(status, 4)
+        self.assertEqual(made["product"]["verdict"], "undecided")
+        self.assertIn("%d tetrahedra flipped" % made["flipped"], made["product"]["doubts"])
+        self.assertEqual(len(made["flipped_tetrahedra"]), made["flipped"])
+        self.assertEqual(len({t["tetrahedron"] for t in made["flipped_tetrahedra"]}), made["flipped"])
+
+    def test_flipped_tetrahedra_are_those_of_the_file(self):
+        path = self.path("out.json")
+        status, made = run_json("product", self.smooth, "-o", path)
+        self.assertEqual(status, 4)
+        with open(path, encoding="utf-8") as file:
+            written = json.load(file)
+        uvw = next(f["values"] for f in written["fields"] if f["name"] == "uvw")
+
+        def volume(p):
+            e = [[p[k][i] - p[0][i] for i in range(3)] for k in (1, 2, 3)]
+            return (e[0][0] * (e[1][1] * e[2][2] - e[1][2] * e[2][1]) - e[0][1] * (e[1][0] * e[2][2] - e[1][2] * e[2][0])
+                    + e[0][2] * (e[1][0] * e[2][1] - e[1][1] * e[2][0]))
+
+        sizes = [volume([uvw[v] for v in t]) for t in written["tetrahedra"]]
+        flipped = {t["tetrahedron"] for t in made["flipped_tetrahedra"]}
+        for t, size in enumerate(sizes):
+            if abs(size) > 1e-15:
+                self.assertEqual(size < 0, t in flipped)
+
+    def test_hexahedra_of_another_solid_are_no_success(self):
+        # A comb: a bar of 8 x 1 x 1 with four teeth of 1 x 1 x 2, which no rectangle's grid gets into: 16 by hand.
+        cells = {(x, 0, 0) for x in range(8)} | {(x, y, 0) for x in (0, 2, 4, 6) for y in (1, 2)}
+        index, points, tetrahedra = {}, [], []
+        six = [[0, 1, 3, 7], [0, 3, 2, 7], [0, 2, 6, 7], [0, 6, 4, 7], [0, 4, 5, 7], [0, 5, 1, 7]]
+        for x, y, z in sorted((2 * x + i, 2 * y + j, 2 * z + k) for x, y, z in cells for i in (0, 1) for j in (0, 1) for k in (0, 1)):
+            corner = [(x + (k & 1), y + (k >> 1 & 1), z + (k >> 2)) for k in range(8)]
+            for p in corner:
+                if p not in index:
+                    index[p] = len(points)
+                    points.append([c / 2 for c in p])
+            tetrahedra += [[index[corner[v]] for v in t] for t in six]
+        comb = self.write("comb.mesh", points, tetrahedra)
+        path = self.path("hex.mesh")
+        status, made = run_json("product", comb, "--hex", "10", "-o", path)
+        self.assertAlmostEqual(made["volume"]["solid"], 16, delta=1e-9)
+        error = abs(made["volume"]["hexahedra"] - 16) / 16
+        self.assertAlmostEqual(made["volume"]["relative_error"], error, delta=1e-9)
+        self.assertEqual(len(self.read(path)["Hexahedra"]), made["hexahedra"])
+        if error > 0.02 or made["inverted"] or made["flipped"]:
+            self.assertEqual(status, 4)
+        self.assertEqual(made["filling"]["verdict"] == "undecided", error > 0.02 or made["inverted"] > 0)
+
+    def test_the_tolerance_of_volumes(self):
+        status, made = run_json("product", self.ridges, "--labels", "1,2", "--hex", "20")
+        error = made["volume"]["relative_error"]
+        self.assertEqual((status, made["filling"]), (0, {"verdict": "yes", "doubts": []}))
+        status, made = run_json("product", self.ridges, "--labels", "1,2", "--hex", "20", "--volume-tolerance", repr(0.9 * error))
+        self.assertEqual((status, made["filling"]["verdict"], made["product"]["verdict"]), (4, "undecided", "yes"))
+        self.assertIn("the volume is", made["filling"]["doubts"][0])
+        self.assertEqual([len(made["worst"]), made["worst"][0]["scaled_jacobian"]], [10, made["min_scaled_jacobian"]])
 
     def test_hexahedra(self):
         path = self.path("hex.mesh")
@@ -1032,6 +1090,43 @@ class Product(InFolder):
         self.assertIn("one of them", self.refused(frame, *seeds, "--polycube", image, "--hex", "4"))
         self.assertIn("no image of vertex", self.refused(frame, *seeds, "--polycube", os.path.join(SOURCE, "tests/data/mesh/cube.off")))
         self.assertNotEqual(self.refused(frame, *seeds, "--polycube", frame, "--step", "0.7"), "")
+
+    def test_a_solid_that_is_its_own_polycube(self):
+        # Seven of the eight cubes of a block, six tetrahedra each. Nobody says what is floor.
+        six = [[0, 1, 3, 7], [0, 3, 2, 7], [0, 2, 6, 7], [0, 6, 4, 7], [0, 4, 5, 7], [0, 5, 1, 7]]
+        points = [[float(x), float(y), float(z)] for z in range(3) for y in range(3) for x in range(3)]
+        cubes = [(x, y, z) for z in range(2) for y in range(2) for x in range(2) if (x, y, z) != (0, 0, 1)]
+        tetrahedra = [[(x + (t & 1)) + 3 * (y + (t >> 1 & 1)) + 9 * (z + (t >> 2)) for t in tet] for x, y, z in cubes for tet in six]
+        seven = self.write("seven.mesh", points, tetrahedra)  # with a point that belongs to nothing: (0, 0, 2)
+        path = self.path("hex.mesh")
+        status, made = run_json("product", seven, "--polycube", seven, "--cells", "2", "-o", path)
+        self.assertEqual((status, made["hexahedra"], made["inverted"], made["left_out"]), (0, 56, 0, 0))
+        self.assertEqual((made["min_scaled_jacobian"], made["mean_scaled_jacobian"]), (1, 1))
+        self.assertEqual(made["volume"], {"hexahedra": 7, "solid": 7, "relative_error": 0})
+        written = self.read(path)
+        self.assertEqual(sorted(p[:3] for p in written["Vertices"]),
+                         sorted([x / 2, y / 2, z / 2] for x in range(5) for y in range(5) for z in range(5) if not (x < 2 and y < 2 and z > 2)))
+        # Images inside that fold the map are passed over: (1, 1, 1) is the only point inside of the whole block.
+        block = self.write("block.mesh", points, [[(x + (t & 1)) + 3 * (y + (t >> 1 & 1)) + 9 * (z + (t >> 2)) for t in tet]
+                                                  for z in range(2) for y in range(2) for x in range(2) for tet in six])
+        points[13] = [7.0, 7.0, 7.0]
+        wild = self.write("wild.mesh", points, tetrahedra)
+        status, made = run_json("product", block, "--polycube", wild, "--cells", "2")
+        self.assertEqual((status, made["hexahedra"], made["carried_by"]), (0, 64, "a harmonic map"))
+        self.assertGreater(made["min_scaled_jacobian"], 1 - 1e-9)
+
+    def test_a_point_that_belongs_to_nothing(self):
+        n = 3
+        points = [[x / n, y / n, z / n] for z in range(n + 1) for y in range(n + 1) for x in range(n + 1)]
+        six = [[0, 1, 3, 7], [0, 3, 2, 7], [0, 2, 6, 7], [0, 6, 4, 7], [0, 4, 5, 7], [0, 5, 1, 7]]
+        tetrahedra = [[(x + (t & 1)) + (n + 1) * (y + (t >> 1 & 1)) + (n + 1) ** 2 * (z + (t >> 2)) for t in tet]
+                      for z in range(n) for y in range(n) for x in range(n) for tet in six]
+        results = []
+        for name, more in (("cube.mesh", []), ("orphan.mesh", [[0.1, 0.2, 0.3]])):
+            status, made = run_json("product", self.write(name, points + more, tetrahedra), "--hex", "4")
+            self.assertEqual((status, made["product"]["verdict"]), (0, "yes"))
+            results.append({k: v for k, v in made.items() if k not in ("seconds", "input")})
+        self.assertEqual(*results)
 
     def test_bad_partitions(self):
         self.assertIn("label 9", self.refused(self.ridges, "--labels", "1,9"))

@@ -5,6 +5,7 @@
 #include "input.hpp"
 #include "output.hpp"
 #include "product_files.hpp"
+#include "product_hexahedra.hpp"
 #include "product_partition.hpp"
 #include "product_report.hpp"
 #include "text.hpp"
@@ -15,12 +16,12 @@
 #include "tetrarch/format/text.hpp"
 #include "tetrarch/mesh/repair.hpp"
 #include "tetrarch/mesh/validate.hpp"
-#include "tetrarch/product/polycube.hpp"
 #include "tetrarch/scene/files.hpp"
 
 #include <algorithm>
 #include <chrono>
 #include <memory>
+#include <optional>
 
 namespace tetrarch::program {
 namespace {
@@ -37,12 +38,7 @@ struct Options {
   std::string follow = "smoothed";
   std::string show = "solid";
   int fibers = 60;
-  int hex = 0;
-  int layers = 0; ///< 0: cells as high as wide
-  bool smooth = false;
-  std::string polycube;
-  double step = 1; ///< of the polycube's lattice
-  int cells = 4;
+  HexahedraOptions hexahedra;
   std::string weights = "auto";
   bool anyway = false;
   Doctor doctor;
@@ -56,10 +52,11 @@ void check(const Options& options) {
       throw InputError({path, 0}, "this command writes no file with this extension (expected .json, .vtu, "
                                   ".mesh, .glb, .ply, .obj or .html)");
   }
-  if (options.hex == 0 && options.layers > 0) throw InputError("--layers needs --hex");
-  if (options.hex > 0 && !options.polycube.empty())
+  const HexahedraOptions& hex = options.hexahedra;
+  if (hex.across == 0 && hex.layers > 0) throw InputError("--layers needs --hex");
+  if (hex.across > 0 && !hex.polycube.empty())
     throw InputError("--hex and --polycube exclude each other: expected one of them");
-  if (options.hex == 0 && options.polycube.empty() && options.smooth)
+  if (hex.across == 0 && hex.polycube.empty() && hex.smooth)
     throw InputError("--smooth needs --hex or --polycube");
   if (options.floor_map != "rectangle" && !options.corners.empty())
     throw InputError("--corners needs --floor-map rectangle");
@@ -98,7 +95,8 @@ mesh::TetMesh mesh_of(format::Soup soup) {
 
 product::FloorOptions floor_options(const Options& options) {
   product::FloorOptions floor;
-  if (options.floor_map == "rectangle" || options.hex > 0) floor.domain = product::FloorDomain::rectangle;
+  if (options.floor_map == "rectangle" || options.hexahedra.across > 0)
+    floor.domain = product::FloorDomain::rectangle;
   if (options.corners.empty()) return floor;
   const std::vector<long long> corners = vertices_in("--corners", options.corners);
   if (corners.size() != floor.corners.size())
@@ -124,82 +122,36 @@ void add_fibers(SolidProduct& made, const product::FiberField& field, const prod
   }
 }
 
-/// Smoothed if wanted, measured and told.
-void add_quality(SolidProduct& made, const Options& options, const Progress& progress) {
-  product::HexQuality quality = product::quality(made.hexahedra->mesh);
-  if (options.smooth) {
-    const product::HexQuality before = std::move(quality);
-    const product::Smoothed smoothed =
-        product::smooth(made.hexahedra->mesh, made.hexahedra->on_boundary, {}, progress);
-    made.report.add(smoothed_report(smoothed, before));
-    quality = product::quality(made.hexahedra->mesh);
-  }
-  made.report.add(hexahedra_report(*made.hexahedra, quality));
-  made.scaled_jacobian = std::move(quality.scaled_jacobian);
-}
-
-void add_hexahedra(SolidProduct& made, const product::FiberField& field, const product::FloorMap& floor,
-                   const Options& options, const Context& context) {
-  const product::FloorGrid grid =
-      product::floor_grid(floor.height, floor.rectangles, {.across = options.hex});
-  product::HexOptions hex;
-  hex.threads = context.threads;
-  hex.layers = options.layers > 0 ? options.layers
-                                  : std::max(1, static_cast<int>(std::lround(options.hex * field.height())));
-  made.hexahedra = product::hexahedra(field, grid, product::nodes_on_floor(field.solid(), floor, grid), hex,
-                                      context.progress);
-  made.cells = static_cast<int>(grid.cells.size());
-  made.report.add(grid_report(grid));
-  add_quality(made, options, context.progress);
-}
-
-/// Vertex k of the file is the image of vertex k of the solid; those inside are passed over.
-void add_polycube(SolidProduct& made, const product::Solid& solid, const product::Partition& partition,
-                  const Options& options, const Context& context) {
-  const format::Soup soup = read_soup(options.polycube, context);
-  std::vector<Point> image;
-  image.reserve(solid.vertex.size());
-  for (const int v : solid.vertex) {
-    if (v >= static_cast<int>(soup.points.size()))
-      throw InputError({options.polycube, 0},
-                       "the polycube has no image of vertex v" + std::to_string(v) + ": the file has " +
-                           counted(static_cast<long long>(soup.points.size()), "vertex"));
-    image.push_back(soup.points[v]);
-  }
-  std::vector<int> base;
-  base.reserve(partition.patch.size());
-  for (const int patch : partition.patch) base.push_back(patch < product::first_wall ? patch : -1);
-  product::PolycubeOptions polycube;
-  polycube.step = options.step;
-  polycube.cells = options.cells;
-  polycube.threads = context.threads;
-  product::PolycubeHexahedra found = in_file(options.polycube, [&] {
-    return product::polycube_hexahedra(solid, image, base, polycube, context.progress);
-  });
-  made.hexahedra = std::move(found.solid);
-  add_quality(made, options, context.progress);
-}
-
-/// Fibres and what hangs on them, of a field without critical places.
-void add_coordinates(SolidProduct& made, const product::FloorMap& floor, const product::HarmonicField& field,
-                     const Options& options, const Context& context) {
-  const product::FiberField fibers(made.at.solid, made.at.partition, field.w,
-                                   options.follow == "gradient" ? product::Direction::gradient
-                                                                : product::Direction::smoothed);
-  product::Coordinates coordinates = product::coordinates(fibers, floor, context.threads, context.progress);
-  made.report.add(coordinates_report(coordinates));
-  made.uvw = std::move(coordinates.uvw);
-  made.report.add(quality_report(product::quality(made.at.solid, made.uvw)));
-  made.report.add(confirmation_report(product::confirm(fibers, context.threads, context.progress)));
-  add_fibers(made, fibers, floor, options.fibers);
-  if (options.hex > 0 && floor.found) add_hexahedra(made, fibers, floor, options, context);
-}
-
 struct Field {
   product::HarmonicField harmonic;
   product::CriticalPlaces critical;
   bool clamped = false;
 };
+
+constexpr const char* product_because =
+    "no critical point, no flipped tetrahedron, and every fiber arrives both ways";
+
+/// Fibres and what hangs on them, of a field without critical places.
+void add_coordinates(SolidProduct& made, const product::FloorMap& floor, const Field& field,
+                     const Options& options, const Context& context) {
+  const product::FiberField fibers(made.at.solid, made.at.partition, field.harmonic.w,
+                                   options.follow == "gradient" ? product::Direction::gradient
+                                                                : product::Direction::smoothed);
+  product::Coordinates coordinates = product::coordinates(fibers, floor, context.threads, context.progress);
+  made.report.add(coordinates_report(coordinates));
+  made.uvw = std::move(coordinates.uvw);
+  const product::Quality quality = product::quality(made.at.solid, made.uvw);
+  made.report.add(quality_report(made.at.solid, quality));
+  const product::Confirmation confirmation = product::confirm(fibers, context.threads, context.progress);
+  made.report.add(confirmation_report(confirmation));
+  std::vector<std::string> doubts = doubts_about(coordinates, quality, confirmation);
+  if (!field.critical.none()) doubts.emplace_back("the field has critical points");
+  made.report.add(verdict_report({"product", "a product", doubts, product_because}));
+  if (options.hexahedra.polycube.empty()) made.doubts.insert(made.doubts.end(), doubts.begin(), doubts.end());
+  add_fibers(made, fibers, floor, options.fibers);
+  if (options.hexahedra.across > 0 && floor.found)
+    add_hexahedra(made, fibers, floor, options.hexahedra, context);
+}
 
 /// With cotangent weights; where they leave critical places, and nobody asked for them, with clamped ones.
 Field solved(const product::SplitSolid& at, double height, const Options& options, const Context& context) {
@@ -215,16 +167,40 @@ Field solved(const product::SplitSolid& at, double height, const Options& option
   return field;
 }
 
+/// The solid with its partition, and with the hexahedra of a polycube if there is one: these need no
+/// partition if the map alone carries them well. Nothing where there are hexahedra and no partition.
+std::optional<PartitionedSolid> started(SolidProduct& made, const Options& options, const Context& context) {
+  const format::Soup soup = read(options, made.report, context);
+  product::Solid solid = in_file(options.input, [&] { return product::solid(mesh_of(soup)); });
+  const std::string& path = options.hexahedra.polycube;
+  CarriedCubes carried;
+  format::Soup polycube;
+  const double volume = product::volume(solid);
+  if (!path.empty()) {
+    polycube = read_soup(path, context);
+    carried = carried_by_map(solid, polycube, options.hexahedra, context);
+  }
+  std::optional<PartitionedSolid> start;
+  try {
+    start = in_file(options.input,
+                    [&] { return partitioned(std::move(solid), soup, options.partition, context); });
+  } catch (const InputError& e) {
+    if (!carried.hexahedra || is_given(options.partition)) throw;
+    made.report.warnings.emplace_back(e.what());
+  }
+  if (start) made.report.add(partition_report(start->solid, start->partition, start->how));
+  if (path.empty()) return start;
+  if (start && !carried.is_good()) try_fibers(carried, *start, polycube, options.hexahedra, context);
+  add_polycube(made, std::move(carried), volume, options.hexahedra, context);
+  return start;
+}
+
 SolidProduct make(const Options& options, const Context& context) {
   SolidProduct made;
-  const format::Soup soup = read(options, made.report, context);
-  mesh::TetMesh mesh = mesh_of(soup);
-  PartitionedSolid start = in_file(options.input, [&] {
-    return partitioned(product::solid(std::move(mesh)), soup, options.partition, context);
-  });
-  made.report.add(partition_report(start.solid, start.partition, start.how));
-  if (!options.polycube.empty()) add_polycube(made, start.solid, start.partition, options, context);
-  made.at = product::split_shortcuts(std::move(start.solid), std::move(start.partition));
+  std::optional<PartitionedSolid> start = started(made, options, context);
+  if (!start) return made;
+  made.at = product::split_shortcuts(std::move(start->solid), std::move(start->partition));
+  const bool is_polycube = made.hexahedra.has_value(); // the hexahedra are the result, whatever else there is
 
   const product::FloorMap floor = in_file(options.input, [&] {
     return product::floor_map(made.at.solid, made.at.partition, floor_options(options), context.progress);
@@ -235,20 +211,22 @@ SolidProduct make(const Options& options, const Context& context) {
   const Field field = solved(made.at, height, options, context);
   made.report.add(field_report(field.harmonic, height, made.at.splits, field.clamped));
   made.report.add(critical_report(made.at.solid, field.critical));
-  if (!floor.found) made.status = Status::undecided;
+  if (!floor.found && !is_polycube) made.status = Status::undecided;
+  const std::string without = is_polycube ? "there are no coordinates" : "nothing was written";
   if (!field.critical.none()) {
-    made.status = Status::proved_no;
+    if (!is_polycube) made.status = Status::proved_no;
     if (!options.anyway) {
-      made.report.warnings.emplace_back("the field has critical points, so the solid is no product with this "
-                                        "partition; nothing was written (--anyway goes on)");
+      made.report.warnings.push_back("the field has critical points, so the solid is no product with this "
+                                     "partition; " +
+                                     without + " (--anyway goes on)");
       return made;
     }
   }
   if (floor.flipped == floor.mesh.surface.triangle_count()) {
-    made.report.warnings.emplace_back("there is no map of the floor; nothing was written");
+    made.report.warnings.push_back("there is no map of the floor; " + without);
     return made;
   }
-  add_coordinates(made, floor, field.harmonic, options, context);
+  add_coordinates(made, floor, field, options, context);
   return made;
 }
 
@@ -259,12 +237,17 @@ Result run_product(const Options& options, const Context& context) {
   made.report.json["seconds"] =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   Result result;
+  if (made.status == Status::done && !made.doubts.empty()) {
+    made.status = Status::undecided;
+    made.report.warnings.push_back("the result is not to be relied on: " + joined(made.doubts, "; "));
+  }
   result.status = made.status;
   const ProductTitle title{options.input, options.floor_map};
-  if (!made.uvw.empty())
-    for (const std::string& path : options.outputs)
-      result.files.push_back({path, product_file(path, made, title, options.show == "domain")});
-  if (!made.uvw.empty() && context.values != nullptr)
+  for (const std::string& path : options.outputs) {
+    if (made.uvw.empty() && (!made.hexahedra || format::has_extension(path, ".html"))) continue;
+    result.files.push_back({path, product_file(path, made, title, options.show == "domain")});
+  }
+  if ((!made.uvw.empty() || made.hexahedra) && context.values != nullptr)
     result.value = std::make_shared<Value>(product_document(made, title));
   result.text = block(made.report.rows);
   result.json = std::move(made.report.json);
@@ -333,19 +316,27 @@ Run declare_product(OptionTable& table) {
       .with_default();
   table.add("--anyway", o->anyway, "go on in spite of critical points");
   table
-      .add("--hex", o->hex,
+      .add("--hex", o->hexahedra.across,
            "make hexahedra, this many across the rectangle's width (implies --floor-map rectangle)")
       .in_range(1, 100'000);
-  table.add("--layers", o->layers, "number of layers of hexahedra (default: as high as wide)")
+  table.add("--layers", o->hexahedra.layers, "number of layers of hexahedra (default: as high as wide)")
       .in_range(1, 100'000);
-  table.add("--smooth", o->smooth, "improve hexahedra by moving points inside the solid");
+  table.add("--smooth", o->hexahedra.smooth, "improve hexahedra by moving points inside the solid");
   table
-      .add("--polycube", o->polycube,
+      .add("--polycube", o->hexahedra.polycube,
            "make hexahedra from a polycube: a mesh whose vertex k is the image of the solid's vertex k on a "
-           "surface of cubes; vertices inside the solid do not matter")
+           "surface of cubes; images of vertices inside the solid are used where no tetrahedron is flipped")
       .value_name("MESH");
-  table.add("--step", o->step, "lattice step of the polycube's corners").positive().with_default();
-  table.add("--cells", o->cells, "number of hexahedra along a lattice step").in_range(1, 1000).with_default();
+  table.add("--step", o->hexahedra.step, "lattice step of the polycube's corners").positive().with_default();
+  table.add("--cells", o->hexahedra.cells, "number of hexahedra along a lattice step")
+      .in_range(1, 1000)
+      .with_default();
+  table
+      .add("--volume-tolerance", o->hexahedra.volume_tolerance,
+           "greatest relative difference between the volumes of the hexahedra and of the solid; beyond, the "
+           "exit status is 4")
+      .in_range(0.0, 1.0)
+      .with_default();
   table.add("--show", o->show, "content of the files: the solid, or its domain")
       .one_of({"solid", "domain"})
       .with_default();

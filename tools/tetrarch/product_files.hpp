@@ -27,6 +27,7 @@ struct SolidProduct {
   int cells = 0; ///< of the grid: hexahedra in a layer
   Report report;
   Status status = Status::done;
+  std::vector<std::string> doubts; ///< why the result is undecided, one clause each
 };
 
 /// What is to be told with it.

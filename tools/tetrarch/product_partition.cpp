@@ -99,9 +99,15 @@ int outer_triangle(const product::Solid& solid, const std::vector<int>& base, co
 
 } // namespace
 
+bool is_given(const PartitionOptions& options) {
+  return !options.labels.empty() || !options.cycles.empty() || !options.tunnels.empty() ||
+         !options.floor.empty() || !options.ceiling.empty();
+}
+
 PartitionedSolid partitioned(product::Solid solid, const format::Soup& soup, const PartitionOptions& options,
                              const Context& context) {
   std::string how;
+  std::vector<mesh::EdgePoint> splits;
   std::vector<int> base = pointed_out(solid, soup, options, how);
   if (base.empty()) {
     auto found = product::automatic_partition(solid, {.threads = context.threads}, context.progress);
@@ -109,13 +115,15 @@ PartitionedSolid partitioned(product::Solid solid, const format::Soup& soup, con
       throw InputError("the search found no partition, which proves nothing; give one by --labels, --cycle, "
                        "--tunnel, or --floor and --ceiling");
     if (options.outer.empty())
-      return {std::move(found->solid), std::move(found->partition), std::move(found->how)};
+      return {std::move(found->solid), std::move(found->partition), std::move(found->how),
+              std::move(found->splits)};
     solid = std::move(found->solid);
     how = std::move(found->how);
+    splits = std::move(found->splits);
     for (const int patch : found->partition.patch) base.push_back(patch < product::first_wall ? patch : -1);
   }
   product::Partition partition = product::partition(solid, base, outer_triangle(solid, base, options.outer));
-  return {std::move(solid), std::move(partition), std::move(how)};
+  return {std::move(solid), std::move(partition), std::move(how), std::move(splits)};
 }
 
 } // namespace tetrarch::program

@@ -6,6 +6,7 @@
 #include "command.hpp"
 
 #include "tetrarch/format/soup.hpp"
+#include "tetrarch/mesh/split_edges.hpp"
 #include "tetrarch/product/partition.hpp"
 
 #include <string>
@@ -29,7 +30,11 @@ struct PartitionedSolid {
   product::Solid solid; ///< perhaps with edges split; old vertices keep their numbers
   product::Partition partition;
   std::string how;
+  std::vector<mesh::EdgePoint> splits; ///< as in `product::Automatic`
 };
+
+/// Whether any of them points anything out.
+bool is_given(const PartitionOptions& options);
 
 /// `soup` is that of the solid: its triangles may have labels. Throws InputError.
 PartitionedSolid partitioned(product::Solid solid, const format::Soup& soup, const PartitionOptions& options,

@@ -4,6 +4,7 @@
 #include "text.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <string_view>
 
 namespace tetrarch::program {
@@ -31,6 +32,13 @@ std::string histogram_text(const product::HexQuality& quality) {
     if (quality.histogram[k] > 0)
       bins.push_back(fixed(0.1 * (k - 10), 1) + ": " + std::to_string(quality.histogram[k]));
   return joined(bins, ", ");
+}
+
+Json cells_json(const std::vector<product::BadHexahedron>& cells) {
+  Json list = Json::array();
+  for (const product::BadHexahedron& b : cells)
+    list.push_back({{"hexahedron", b.hexahedron}, {"scaled_jacobian", b.scaled_jacobian}, {"at", b.center}});
+  return list;
 }
 
 std::string_view word(product::FiberEnd end) {
@@ -118,7 +126,7 @@ Report critical_report(const product::Solid& solid, const product::CriticalPlace
   report.json["critical"] = {{"flat_tetrahedra", places.flat}, {"vertices", std::move(vertices)}};
   report.rows.emplace_back(
       "critical places",
-      places.none() ? "none: a product"
+      places.none() ? "none"
                     : counted(static_cast<long long>(places.flat.size()), "flat tetrahedron") + ", " +
                           counted(static_cast<long long>(places.vertices.size()), "critical vertex"));
   if (!texts.empty()) report.rows.emplace_back("", joined(texts, ", ") + more(places.vertices.size()));
@@ -150,19 +158,30 @@ Report coordinates_report(const product::Coordinates& coordinates) {
   return report;
 }
 
-Report quality_report(const product::Quality& quality) {
+Report quality_report(const product::Solid& solid, const product::Quality& quality) {
   Report report;
+  Json places = Json::array();
+  std::vector<std::string> texts;
+  for (const int t : quality.flipped) {
+    product::Point center{};
+    for (const int v : solid.corners(t))
+      for (std::size_t c = 0; c < 3; ++c) center[c] += solid.point(v)[c] / 4;
+    places.push_back({{"tetrahedron", t}, {"at", center}});
+    if (texts.size() < most_told) texts.push_back("t" + std::to_string(t) + " " + at(center));
+  }
   report.json = {{"flipped", quality.flipped.size()},
+                 {"flipped_tetrahedra", std::move(places)},
                  {"orthogonality_error", quality.mean_orthogonality_error},
                  {"max_orthogonality_error", quality.max_orthogonality_error},
                  {"uv_error", quality.mean_uv},
                  {"max_uv_error", quality.max_uv}};
-  report.rows = {{"flipped", counted(static_cast<long long>(quality.flipped.size()), "tetrahedron")},
-                 {"w to u and v", "cosine " + scientific(quality.mean_orthogonality_error, 1) +
-                                      " on average, " + scientific(quality.max_orthogonality_error, 1) +
-                                      " at most"},
-                 {"u to v", "cosine " + scientific(quality.mean_uv, 1) + " on average, " +
-                                scientific(quality.max_uv, 1) + " at most"}};
+  report.rows.emplace_back("flipped", counted(static_cast<long long>(quality.flipped.size()), "tetrahedron"));
+  if (!texts.empty()) report.rows.emplace_back("", joined(texts, ", ") + more(quality.flipped.size()));
+  report.rows.emplace_back("w to u and v", "cosine " + scientific(quality.mean_orthogonality_error, 1) +
+                                               " on average, " +
+                                               scientific(quality.max_orthogonality_error, 1) + " at most");
+  report.rows.emplace_back("u to v", "cosine " + scientific(quality.mean_uv, 1) + " on average, " +
+                                         scientific(quality.max_uv, 1) + " at most");
   return report;
 }
 
@@ -196,27 +215,79 @@ Report grid_report(const product::FloorGrid& grid) {
   return report;
 }
 
-Report hexahedra_report(const product::SolidHexahedra& hexahedra, const product::HexQuality& quality) {
+double MeasuredHexahedra::volume_error() const {
+  return std::abs(volume - solid_volume) / solid_volume;
+}
+
+Report hexahedra_report(const MeasuredHexahedra& hexahedra) {
+  const product::HexQuality& quality = hexahedra.quality;
+  const int left_out = hexahedra.of.left_out;
+  const std::size_t count = hexahedra.of.mesh.hexahedra.size();
   Report report;
-  Json bad = Json::array();
   std::vector<std::string> texts;
-  for (const product::BadHexahedron& b : quality.bad) {
-    bad.push_back({{"hexahedron", b.hexahedron}, {"scaled_jacobian", b.scaled_jacobian}, {"at", b.center}});
-    if (texts.size() < most_told) texts.push_back(at(b.center));
-  }
-  report.json = {{"hexahedra", hexahedra.mesh.hexahedra.size()}, {"left_out", hexahedra.left_out},
-                 {"min_scaled_jacobian", quality.minimum},       {"mean_scaled_jacobian", quality.mean},
-                 {"histogram", histogram_json(quality)},         {"bad", std::move(bad)}};
+  for (const product::BadHexahedron& b : quality.worst)
+    texts.push_back("h" + std::to_string(b.hexahedron) + " " + fixed(b.scaled_jacobian, 4) + " at " +
+                    at(b.center));
+  report.json = {{"hexahedra", count},
+                 {"left_out", left_out},
+                 {"volume",
+                  {{"hexahedra", hexahedra.volume},
+                   {"solid", hexahedra.solid_volume},
+                   {"relative_error", hexahedra.volume_error()}}},
+                 {"min_scaled_jacobian", quality.minimum},
+                 {"mean_scaled_jacobian", quality.mean},
+                 {"inverted", quality.bad.size()},
+                 {"histogram", histogram_json(quality)},
+                 {"bad", cells_json(quality.bad)},
+                 {"worst", cells_json(quality.worst)}};
   report.rows = {
-      {"hexahedra", std::to_string(hexahedra.mesh.hexahedra.size()) +
-                        (hexahedra.left_out > 0 ? ", left out " + std::to_string(hexahedra.left_out) : "")},
+      {"hexahedra", std::to_string(count) + (left_out > 0 ? ", left out " + std::to_string(left_out) : "")},
+      {"volume", rounded(hexahedra.volume) + ", of the solid " + rounded(hexahedra.solid_volume) +
+                     ", relative error " + scientific(hexahedra.volume_error(), 1)},
       {"scaled Jacobian", fixed(quality.minimum, 4) + " at least, " + fixed(quality.mean, 4) +
                               " on average, 0 or less in " + std::to_string(quality.bad.size())},
-      {"", histogram_text(quality)}};
-  if (!texts.empty()) report.rows.emplace_back("bad", joined(texts, ", ") + more(quality.bad.size()));
-  if (hexahedra.left_out > 0)
-    report.warnings.push_back(counted(hexahedra.left_out, "hexahedron") +
+      {"", histogram_text(quality)},
+      {"worst", joined(texts, ", ")}};
+  if (left_out > 0)
+    report.warnings.push_back(counted(left_out, "hexahedron") +
                               " left out beside fibers that failed to arrive");
+  return report;
+}
+
+std::vector<std::string> doubts_about(const MeasuredHexahedra& hexahedra, double volume_tolerance) {
+  std::vector<std::string> doubts;
+  if (hexahedra.of.mesh.hexahedra.empty()) return {"there are no hexahedra"};
+  if (!hexahedra.quality.bad.empty())
+    doubts.push_back(counted(static_cast<long long>(hexahedra.quality.bad.size()), "hexahedron") +
+                     " of scaled Jacobian 0 or less");
+  if (hexahedra.of.left_out > 0) doubts.push_back(counted(hexahedra.of.left_out, "hexahedron") + " left out");
+  if (!(hexahedra.volume_error() <= volume_tolerance))
+    doubts.push_back("the volume is " + rounded(hexahedra.volume) + " and that of the solid " +
+                     rounded(hexahedra.solid_volume) + ", off by more than the tolerance of " +
+                     rounded(volume_tolerance));
+  return doubts;
+}
+
+std::vector<std::string> doubts_about(const product::Coordinates& coordinates,
+                                      const product::Quality& quality,
+                                      const product::Confirmation& confirmation) {
+  std::vector<std::string> doubts;
+  const auto doubt = [&](std::size_t count, const char* noun, const char* what) {
+    if (count > 0) doubts.push_back(counted(static_cast<long long>(count), noun) + what);
+  };
+  doubt(quality.flipped.size(), "tetrahedron", " flipped");
+  doubt(coordinates.stuck.size(), "fiber", " stuck");
+  doubt(static_cast<std::size_t>(confirmation.off), "vertex", " off by more than an edge, the opposite way");
+  doubt(static_cast<std::size_t>(confirmation.not_arrived), "fiber", " lost, the opposite way");
+  return doubts;
+}
+
+Report verdict_report(const Verdict& verdict) {
+  const std::vector<std::string>& doubts = verdict.doubts;
+  Report report;
+  report.json[verdict.key] = {{"verdict", doubts.empty() ? "yes" : "undecided"}, {"doubts", doubts}};
+  report.rows.emplace_back(verdict.question,
+                           doubts.empty() ? "yes: " + verdict.because : "undecided: " + joined(doubts, "; "));
   return report;
 }
 

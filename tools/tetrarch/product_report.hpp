@@ -23,10 +23,35 @@ Report floor_report(const product::FloorMap& floor);
 Report field_report(const product::HarmonicField& field, double height, int splits, bool clamped);
 Report critical_report(const product::Solid& solid, const product::CriticalPlaces& places);
 Report coordinates_report(const product::Coordinates& coordinates);
-Report quality_report(const product::Quality& quality);
+/// Flipped tetrahedra go by their numbers in the files that are written.
+Report quality_report(const product::Solid& solid, const product::Quality& quality);
 Report confirmation_report(const product::Confirmation& confirmation);
-Report hexahedra_report(const product::SolidHexahedra& hexahedra, const product::HexQuality& quality);
+
+/// Hexahedra with what they are measured by.
+struct MeasuredHexahedra {
+  const product::SolidHexahedra& of;
+  const product::HexQuality& quality;
+  double volume = 0;
+  double solid_volume = 0;
+  double volume_error() const; ///< relative to the solid's
+};
+Report hexahedra_report(const MeasuredHexahedra& hexahedra);
 Report grid_report(const product::FloorGrid& grid);
+
+/// Why these hexahedra are no mesh of the solid to rely on; none: they are.
+std::vector<std::string> doubts_about(const MeasuredHexahedra& hexahedra, double volume_tolerance);
+/// Why these coordinates are none to rely on; none: the solid is a product, and they show it.
+std::vector<std::string> doubts_about(const product::Coordinates& coordinates,
+                                      const product::Quality& quality,
+                                      const product::Confirmation& confirmation);
+/// The answer to a question: "yes" with what it rests on, or "undecided" with all doubts.
+struct Verdict {
+  std::string key;      ///< in JSON
+  std::string question; ///< in the table
+  std::vector<std::string> doubts;
+  std::string because;
+};
+Report verdict_report(const Verdict& verdict);
 Report smoothed_report(const product::Smoothed& smoothed, const product::HexQuality& before);
 
 } // namespace tetrarch::program

@@ -20,6 +20,7 @@
 /// position of the solid. Source: after Yin, section 3.4.1, who flows from seeds.
 
 #include "tetrarch/core/progress.hpp"
+#include "tetrarch/mesh/split_edges.hpp"
 #include "tetrarch/product/partition.hpp"
 
 #include <optional>
@@ -47,6 +48,8 @@ struct Automatic {
   Partition partition;
   double score = 0;
   std::string how; ///< in words: which way, which axis
+  /// Split k made vertex n + k of a solid with n vertices; its ends may be vertices made before.
+  std::vector<mesh::EdgePoint> splits;
 };
 
 /// Nothing if no way led to a partition, which proves nothing about the solid. O(axes thresholds n) at worst.

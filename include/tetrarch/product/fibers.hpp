@@ -76,8 +76,10 @@ public:
   const std::vector<double>& w() const { return w_; }
   /// w on the ceiling.
   double height() const { return height_; }
-  /// A vertex of the mesh.
+  /// A vertex of the mesh, which must be in a tetrahedron.
   Location at_vertex(int v) const;
+  /// Whether it is in one: files have points that belong to nothing.
+  bool is_used(int v) const { return corner_[static_cast<std::size_t>(v)].tet >= 0; }
   /// A point of a triangle of the boundary, by weights of its corners.
   Location on_triangle(int triangle, const std::array<double, 3>& weight) const;
 

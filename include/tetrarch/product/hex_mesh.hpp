@@ -34,11 +34,21 @@ struct HexMesh {
 /// In [-1, 1]; 0 where an edge has no length.
 double scaled_jacobian(const std::array<Point, 8>& corners);
 
+/// What the trilinear cell encloses, exact up to rounding: what is turned inside out counts as negative, and
+/// so does an inverted cell. Each side is a bilinear patch, which encloses with any point the mean of what
+/// its two cuts into triangles do.
+double volume(const std::array<Point, 8>& corners);
+/// The sum over all cells: what is covered twice counts twice. O(n).
+double volume(const HexMesh& mesh);
+
 struct BadHexahedron {
   int hexahedron = 0;
   double scaled_jacobian = 0;
   Point center{}; ///< the mean of its corners
 };
+
+/// So many of the worst are named.
+constexpr std::size_t worst_named = 10;
 
 struct HexQuality {
   std::vector<double> scaled_jacobian; ///< of each hexahedron
@@ -46,10 +56,17 @@ struct HexQuality {
   double mean = 1;
   /// How many lie in [-1, -0.9), ... [0.9, 1].
   std::array<int, 20> histogram{};
-  std::vector<BadHexahedron> bad; ///< those with 0 or less
+  std::vector<BadHexahedron> bad; ///< those with 0 or less: inverted, or flat somewhere
+  /// The `worst_named` of least scaled Jacobian, or all if they are fewer; the worst first, of equal ones the
+  /// one of lesser number.
+  std::vector<BadHexahedron> worst;
 };
 
 /// O(n).
 HexQuality quality(const HexMesh& mesh);
+
+/// Whether the first is the better mesh: fewer bad cells, or as many and a greater least scaled Jacobian, or
+/// as great and a greater mean.
+bool is_better(const HexQuality& a, const HexQuality& b);
 
 } // namespace tetrarch::product

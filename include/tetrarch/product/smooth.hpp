@@ -10,7 +10,8 @@
 ///      |     |     |     where hexahedra are bad, it is the sum of what is lacking around a point that
 ///      '-----'-----'     is to become less, and none may become worse than the worst of all.
 ///
-/// So the least scaled Jacobian of the mesh never falls, and a mesh without inverted hexahedra keeps none.
+/// The mesh that is kept is the best of all met between sweeps, the first included: of fewest inverted
+/// hexahedra, then of greatest least scaled Jacobian, then of greatest mean. So no mesh becomes worse.
 ///
 /// Source: Freitag and Plassmann, "Local optimization-based simplicial mesh untangling and improvement"
 /// (2000), for tetrahedra.

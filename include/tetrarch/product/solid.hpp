@@ -44,6 +44,9 @@ struct Solid {
 /// keeps the promise. Signs of volumes are exact. Linear but for sorting faces.
 Solid solid(mesh::TetMesh mesh);
 
+/// The sum over the tetrahedra. O(n).
+double volume(const Solid& solid);
+
 /// The genus of the boundary: how many handles the solid has, if it is a handlebody.
 int genus(const Solid& solid);
 

@@ -1,0 +1,263 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "tetrarch/product/polycube_pullback.hpp"
+
+#include "polycube_sheets.hpp"
+#include "tetrarch/core/error.hpp"
+#include "tetrarch/mesh/edge_weights.hpp"
+#include "tetrarch/numeric/predicates.hpp"
+#include "tetrarch/numeric/sparse_cholesky.hpp"
+#include "tetrarch/numeric/vector.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+namespace tetrarch::product {
+namespace {
+
+using namespace numeric;
+using LatticePoint = std::array<int, 3>;
+using Weights = std::array<double, 4>;
+
+/// A point with a weight below is outside of a tetrahedron by more than rounding.
+constexpr double outside = -1e-6;
+/// Weights nearer to 0 are 0, so that points on faces and at vertices are exactly there.
+constexpr double near_zero = 1e-13;
+
+double determinant(const Point& o, const Point& a, const Point& b, const Point& c) {
+  return dot(a - o, cross(b - o, c - o));
+}
+
+struct LatticeHash {
+  std::size_t operator()(const LatticePoint& at) const {
+    std::uint64_t h = 0;
+    for (const int x : at) h = (h ^ static_cast<std::uint32_t>(x)) * 0x9E3779B97F4A7C15U;
+    return h ^ (h >> 32U);
+  }
+};
+
+/// The points of the cubes by their place in the lattice.
+class Nodes {
+public:
+  Nodes(const std::vector<Point>& points, double edge) : edge_(edge) {
+    number_.reserve(points.size());
+    for (std::size_t k = 0; k < points.size(); ++k) {
+      LatticePoint at{};
+      for (std::size_t a = 0; a < 3; ++a) at[a] = static_cast<int>(std::lround(points[k][a] / edge));
+      number_.emplace(at, static_cast<int>(k));
+    }
+  }
+  /// The numbers of those in the bounding box of some points.
+  template <class Visit>
+  void visit(const std::array<Point, 4>& corners, const Visit& visit) const {
+    LatticePoint low{};
+    LatticePoint high{};
+    for (std::size_t a = 0; a < 3; ++a) {
+      const auto less = [a](const Point& p, const Point& q) { return p[a] < q[a]; };
+      const auto [least, most] = std::minmax_element(corners.begin(), corners.end(), less);
+      low[a] = static_cast<int>(std::ceil((*least)[a] / edge_ - margin));
+      high[a] = static_cast<int>(std::floor((*most)[a] / edge_ + margin));
+    }
+    LatticePoint at{};
+    for (at[0] = low[0]; at[0] <= high[0]; ++at[0])
+      for (at[1] = low[1]; at[1] <= high[1]; ++at[1])
+        for (at[2] = low[2]; at[2] <= high[2]; ++at[2])
+          if (const auto found = number_.find(at); found != number_.end()) visit(found->second);
+  }
+
+private:
+  static constexpr double margin = 1e-6;
+
+  double edge_;
+  std::unordered_map<LatticePoint, int, LatticeHash> number_;
+};
+
+/// Where a point of the cubes is in M: in the tetrahedron in which it is deepest.
+struct Place {
+  int tet = -1;
+  double depth = outside;
+  Weights weight{};
+};
+
+std::vector<Place> places(const Solid& solid, const std::vector<Point>& image,
+                          const std::vector<Point>& points, double edge, const Progress& progress) {
+  std::vector<Place> result(points.size());
+  const Nodes nodes(points, edge);
+  std::int64_t visits = 0;
+  for (int t = 0; t < solid.size(); ++t) {
+    std::array<Point, 4> p;
+    for (std::size_t k = 0; k < 4; ++k) p[k] = image[solid.corners(t)[k]];
+    const double whole = determinant(p[0], p[1], p[2], p[3]);
+    nodes.visit(p, [&](int node) {
+      if (visits++ % 65536 == 0) progress.step("hexahedra", t / static_cast<double>(solid.size()));
+      const Point& x = points[node];
+      const Weights weight{determinant(x, p[1], p[2], p[3]) / whole, determinant(p[0], x, p[2], p[3]) / whole,
+                           determinant(p[0], p[1], x, p[3]) / whole,
+                           determinant(p[0], p[1], p[2], x) / whole};
+      const double depth = *std::min_element(weight.begin(), weight.end());
+      if (depth > result[node].depth) result[node] = {t, depth, weight};
+    });
+  }
+  return result;
+}
+
+Point carried(const Solid& solid, Place place) {
+  double sum = 0;
+  for (double& x : place.weight) {
+    if (x < near_zero) x = 0;
+    sum += x;
+  }
+  Point p{};
+  for (std::size_t k = 0; k < 4; ++k)
+    p = p + place.weight[k] / sum * solid.point(solid.corners(place.tet)[k]);
+  return p;
+}
+
+/// Points of squares that belong to one cube only.
+std::vector<char> on_surface(const HexMesh& cubes) {
+  constexpr std::array<std::array<int, 4>, 6> sides{
+      {{0, 1, 2, 3}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}}};
+  // Opposite corners tell squares of a lattice apart.
+  std::vector<std::array<int, 5>> squares;
+  for (const Hexahedron& h : cubes.hexahedra)
+    for (const auto& side : sides) {
+      std::array<int, 4> v{h[side[0]], h[side[1]], h[side[2]], h[side[3]]};
+      std::sort(v.begin(), v.end());
+      squares.push_back({v[0], v[1], v[2], v[3], 0});
+    }
+  std::sort(squares.begin(), squares.end());
+  std::vector<char> result(cubes.points.size(), 0);
+  for (std::size_t k = 0; k < squares.size(); ++k) {
+    const bool is_shared =
+        (k > 0 && squares[k - 1] == squares[k]) || (k + 1 < squares.size() && squares[k + 1] == squares[k]);
+    for (std::size_t c = 0; c < 4 && !is_shared; ++c) result[squares[k][c]] = 1;
+  }
+  return result;
+}
+
+/// The equations of the vertices inside, one for each, and the number of each vertex among them.
+struct Inside {
+  std::vector<int> number; ///< -1 on the boundary
+  SymmetricMatrix matrix;
+  std::vector<double> right; ///< three columns
+};
+
+Inside equations(const Solid& solid, const std::vector<mesh::WeightedEdge>& edges,
+                 const std::vector<Point>& image) {
+  Inside s;
+  s.number.assign(image.size(), -1);
+  int size = 0;
+  std::vector<char> used(image.size(), 0); // files have points that belong to nothing
+  for (const mesh::WeightedEdge& e : edges) used[e.from] = used[e.to] = 1;
+  for (std::size_t v = 0; v < image.size(); ++v)
+    if (solid.on_boundary[v] < 0 && used[v] != 0) s.number[v] = size++;
+  std::vector<double> diagonal(static_cast<std::size_t>(size), 0.0);
+  std::vector<std::vector<std::pair<int, double>>> below(static_cast<std::size_t>(size));
+  s.right.assign(3 * static_cast<std::size_t>(size), 0.0);
+  const auto add = [&](int here, int there, double weight) {
+    const int row = s.number[here];
+    if (row < 0) return;
+    diagonal[row] += weight;
+    if (s.number[there] < 0)
+      for (int a = 0; a < 3; ++a) s.right[a * size + row] += weight * image[there][a];
+    else if (s.number[there] > row)
+      below[row].emplace_back(s.number[there], -weight);
+  };
+  for (const mesh::WeightedEdge& e : edges) {
+    add(e.from, e.to, e.weight);
+    add(e.to, e.from, e.weight);
+  }
+  s.matrix.first.push_back(0);
+  for (int column = 0; column < size; ++column) {
+    s.matrix.row.push_back(column);
+    s.matrix.value.push_back(diagonal[column]);
+    std::sort(below[column].begin(), below[column].end());
+    for (const auto& [row, value] : below[column]) {
+      s.matrix.row.push_back(row);
+      s.matrix.value.push_back(value);
+    }
+    s.matrix.first.push_back(static_cast<int>(s.matrix.row.size()));
+  }
+  return s;
+}
+
+} // namespace
+
+std::optional<std::vector<Point>> harmonic_image(const Solid& solid, const std::vector<Point>& boundary_image,
+                                                 bool clamped) {
+  if (boundary_image.size() != solid.vertex.size())
+    throw PreconditionError("harmonic_image: each vertex of the boundary needs an image");
+  std::vector<Point> image(solid.mesh.points.size(), Point{});
+  for (std::size_t b = 0; b < boundary_image.size(); ++b) image[solid.vertex[b]] = boundary_image[b];
+  std::vector<mesh::WeightedEdge> edges = mesh::edge_weights(solid.mesh);
+  for (mesh::WeightedEdge& e : edges)
+    if (clamped) e.weight = std::max(e.weight, 0.0);
+  Inside inside = equations(solid, edges, image);
+  const int size = inside.matrix.size();
+  if (size == 0) return image;
+  SparseCholesky solver(inside.matrix);
+  if (!solver.factor(inside.matrix)) return {};
+  std::vector<double> x(inside.right.size());
+  solver.solve(inside.right, x);
+  for (std::size_t v = 0; v < image.size(); ++v)
+    for (int a = 0; a < 3 && inside.number[v] >= 0; ++a) {
+      image[v][a] = x[a * size + inside.number[v]];
+      if (!std::isfinite(image[v][a])) return {};
+    }
+  return image;
+}
+
+std::vector<int> folded(const Solid& solid, const std::vector<Point>& image) {
+  std::vector<int> result;
+  for (int t = 0; t < solid.size(); ++t) {
+    const auto& v = solid.corners(t);
+    if (numeric::volume_sign(image[v[0]], image[v[1]], image[v[2]], image[v[3]]) != Sign::positive)
+      result.push_back(t);
+  }
+  return result;
+}
+
+PolycubeHexahedra pulled_back(const Solid& solid, const std::vector<Point>& image,
+                              const PolycubeOptions& options, const Progress& progress) {
+  if (image.size() != solid.mesh.points.size())
+    throw PreconditionError("pulled_back: each vertex of the solid needs an image");
+  if (!folded(solid, image).empty())
+    throw PreconditionError("pulled_back: the map turns tetrahedra over, so it has no inverse");
+  progress.step("polycube");
+  std::vector<Point> on_boundary;
+  on_boundary.reserve(solid.vertex.size());
+  for (const int v : solid.vertex) on_boundary.push_back(image[v]);
+  PolycubeHexahedra result;
+  const Polycube filled = filled_polycube(solid.boundary, on_boundary, options.step, options.cells);
+  result.cubes = hexahedra(filled);
+
+  const std::vector<Place> at = places(solid, image, result.cubes.points, filled.edge, progress);
+  const std::vector<char> outer = on_surface(result.cubes);
+  std::vector<int> number(at.size(), -1);
+  for (std::size_t node = 0; node < at.size(); ++node) {
+    if (at[node].tet < 0) {
+      result.solid.stuck.push_back({static_cast<int>(node), 0, FiberEnd::stuck, result.cubes.points[node]});
+      continue;
+    }
+    number[node] = static_cast<int>(result.solid.mesh.points.size());
+    result.solid.mesh.points.push_back(carried(solid, at[node]));
+    result.solid.on_boundary.push_back(outer[node]);
+  }
+  for (std::size_t h = 0; h < result.cubes.hexahedra.size(); ++h) {
+    Hexahedron hexahedron = result.cubes.hexahedra[h];
+    for (int& v : hexahedron) v = number[v];
+    if (std::count(hexahedron.begin(), hexahedron.end(), -1) > 0) {
+      ++result.solid.left_out;
+      continue;
+    }
+    result.solid.mesh.hexahedra.push_back(hexahedron);
+    result.cube.push_back(static_cast<int>(h));
+  }
+  return result;
+}
+
+} // namespace tetrarch::product
