@@ -40,10 +40,10 @@ std::size_t printable_length(std::string_view text) {
 
 } // namespace
 
-InputError::InputError(const std::string& message) : std::runtime_error(message) {}
+InputError::InputError(const std::string& said) : std::runtime_error(said), message(said) {}
 
-InputError::InputError(const Place& place, const std::string& message)
-    : std::runtime_error(placed(place, message)) {}
+InputError::InputError(const Place& at, const std::string& said)
+    : std::runtime_error(placed(at, said)), place(at), message(said) {}
 
 std::string printable(std::string_view text, Lines lines) {
   std::string clean;

@@ -115,11 +115,47 @@ void tell_error(const Statement& statement, Status status, const std::string& me
   }
 }
 
+namespace {
+
+const char* code_of(Status status) {
+  switch (status) {
+  case Status::done:
+    return "done";
+  case Status::proved_no:
+    return "proved_no";
+  case Status::bad_input:
+    return "bad_input";
+  case Status::undecided:
+    return "undecided";
+  case Status::interrupted:
+    return "interrupted";
+  case Status::fault:
+    break;
+  }
+  return "fault";
+}
+
+} // namespace
+
+Status complain_in_json(const Place& place, const std::string& message, Status status) {
+  const Json error{{"code", code_of(status)},
+                   {"file", place.source.empty() ? Json() : Json(place.source)},
+                   {"line", place.line > 0 ? Json(place.line) : Json()},
+                   {"message", message}};
+  std::cerr << Json{{"error", error}}.dump() << std::endl;
+  return status;
+}
+
 JobOutcome run_job(const Job& job, const Values* values, const std::string& speaker,
                    const Statement* statement, Share* share) {
   const Common& common = job.common;
-  const auto failed = [&](const std::string& message, Status status) {
+  const auto failed = [&](const std::string& message, Status status, const InputError* error = nullptr) {
     if (common.json && statement != nullptr) tell_error(*statement, status, message);
+    if (common.json && statement == nullptr && share == nullptr) {
+      const Place place = error == nullptr ? Place() : error->place;
+      return JobOutcome{complain_in_json(place, error == nullptr ? message : error->message, status),
+                        nullptr};
+    }
     const bool says_whose = share == nullptr || message.starts_with(share->input);
     return JobOutcome{complain(speaker, says_whose ? message : share->input + ": " + message, status),
                       nullptr};
@@ -144,7 +180,7 @@ JobOutcome run_job(const Job& job, const Values* values, const std::string& spea
                         : JobOutcome{Status::interrupted, nullptr};
   } catch (const InputError& e) {
     bar.clear();
-    return failed(e.what(), Status::bad_input);
+    return failed(e.what(), Status::bad_input, &e);
   } catch (const numeric::MatrixTooLarge& e) {
     bar.clear();
     return failed(e.what(), Status::bad_input);

@@ -5,6 +5,8 @@
 
 #include "parse.hpp"
 
+#include "tetrarch/core/error.hpp"
+
 #include <filesystem>
 #include <set>
 #include <string>
@@ -14,6 +16,9 @@ namespace tetrarch::program {
 /// One line on standard error that begins with `speaker` ("tetrarch", "moves.txt:3"), whatever the names in
 /// it are made of. Gives the status back.
 Status complain(const std::string& speaker, const std::string& message, Status status);
+/// The same for programs: one line { "error": { "code", "file", "line", "message" } } on standard error, null
+/// where there is no file or line.
+Status complain_in_json(const Place& place, const std::string& message, Status status);
 void warn(const std::string& speaker, const std::string& warning);
 
 /// The text on standard output. Throws InputError if it cannot be written there.

@@ -7,6 +7,7 @@
 
 #include "tetrarch/core/error.hpp"
 
+#include <algorithm>
 #include <exception>
 #include <string>
 #include <vector>
@@ -27,16 +28,21 @@ Status parse_and_run(const std::vector<std::string>& words) {
   return Status::done;
 }
 
+bool asks_for_json(const std::vector<std::string>& words) {
+  return std::find(words.begin(), words.end(), "--json") != words.end();
+}
+
 } // namespace
 
 int main(int argc, char** argv) {
   Status status = Status::fault;
+  const std::vector<std::string> words(argv + 1, argv + argc);
   watch_signals();
   try {
-    status = parse_and_run({argv + 1, argv + argc});
+    status = parse_and_run(words);
   } catch (const InputError& e) {
-    complain(program_name, e.what(), Status::bad_input);
-    status = Status::bad_input;
+    status = asks_for_json(words) ? complain_in_json(e.place, e.message, Status::bad_input)
+                                  : complain(program_name, e.what(), Status::bad_input);
   } catch (const std::exception& e) {
     complain(program_name, e.what(), Status::fault);
   }

@@ -27,8 +27,11 @@ struct Place {
 /// Bad data from outside.
 struct InputError : std::runtime_error {
   explicit InputError(const std::string& message);
-  /// The message reads "source:line: message" (without ":line" where the line is 0).
+  /// `what` reads "source:line: message" (without ":line" where the line is 0).
   InputError(const Place& place, const std::string& message);
+
+  Place place;         ///< empty: the message names no place
+  std::string message; ///< without the place
 };
 
 /// A token as it may stand in an error message: quoted, control characters and what is no UTF-8 replaced by
