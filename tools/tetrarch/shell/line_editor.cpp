@@ -54,7 +54,8 @@ struct LineEditor::State {
     if (found.words.empty()) return CC_ERROR;
     winsize window{};
     const bool known = ioctl(STDOUT_FILENO, TIOCGWINSZ, &window) == 0 && window.ws_col > 0;
-    std::cout << '\n' << printable(in_columns(found.words, known ? window.ws_col : 80), Lines::many) << std::flush;
+    std::cout << '\n'
+              << printable(in_columns(found.words, known ? window.ws_col : 80), Lines::many) << std::flush;
     return CC_REDISPLAY;
   }
 
