@@ -319,7 +319,9 @@ Run declare_product(OptionTable& table) {
       .in_range(1, 100'000);
   table.add("--layers", o->hexahedra.layers, "number of layers of hexahedra (default: as high as wide)")
       .in_range(1, 100'000);
-  table.add("--smooth", o->hexahedra.smooth, "improve hexahedra by moving points inside the solid");
+  table.add(
+      "--smooth", o->hexahedra.smooth,
+      "improve hexahedra by moving points inside the solid and along its flat sides and straight ridges");
   table
       .add("--polycube", o->hexahedra.polycube,
            "make hexahedra from a polycube: a mesh whose vertex k is the image of the solid's vertex k on a "
