@@ -125,6 +125,10 @@ CarriedCubes carried_by_map(const product::Solid& solid, const format::Soup& pol
     if (const auto image = product::harmonic_image(solid, boundary, clamped))
       try_map(*image, clamped ? "a harmonic map, with clamped weights" : "a harmonic map");
   }
+  if (!best.is_good())
+    if (const auto start = product::harmonic_image(solid, boundary, true))
+      if (const auto image = product::unfolded_image(solid, *start, context.progress))
+        try_map(*image, "an unfolded map");
   return best;
 }
 
