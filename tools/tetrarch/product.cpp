@@ -165,8 +165,15 @@ Field solved(const product::SplitSolid& at, double height, const Options& option
   return field;
 }
 
-/// The solid with its partition, and with the hexahedra of a polycube if there is one: these need no
-/// partition if the map alone carries them well. Nothing where there are hexahedra and no partition.
+/// A page shows the solid beside its domain.
+bool wants_page(const Options& options) {
+  return std::any_of(options.outputs.begin(), options.outputs.end(),
+                     [](const std::string& path) { return format::has_extension(path, ".html"); });
+}
+
+/// The solid with its partition, and with the hexahedra of a polycube if there is one. Where the map alone
+/// carries these well, no partition is sought that nobody asked for. Nothing where there are hexahedra and no
+/// partition.
 std::optional<PartitionedSolid> started(SolidProduct& made, const Options& options, const Context& context) {
   const format::Soup soup = read(options, made.report, context);
   product::Solid solid = in_file(options.input, [&] { return product::solid(mesh_of(soup)); });
@@ -179,6 +186,12 @@ std::optional<PartitionedSolid> started(SolidProduct& made, const Options& optio
     carried = carried_by_map(solid, polycube, options.hexahedra, context);
   }
   std::optional<PartitionedSolid> start;
+  if (carried.is_good() && !is_given(options.partition) && !wants_page(options)) {
+    made.report.json["tetrahedra"] = solid.size();
+    made.report.rows.emplace_back("solid", counted(solid.size(), "tetrahedron"));
+    add_polycube(made, std::move(carried), volume, options.hexahedra, context);
+    return start;
+  }
   try {
     start = in_file(options.input,
                     [&] { return partitioned(std::move(solid), soup, options.partition, context); });
