@@ -7,6 +7,7 @@
 #include "tetrarch/numeric/predicates.hpp"
 #include "tetrarch/numeric/sparse_cholesky.hpp"
 #include "tetrarch/numeric/vector.hpp"
+#include "tetrarch/unfold/unfold.hpp"
 
 #include <algorithm>
 #include <array>
@@ -219,6 +220,35 @@ std::vector<int> folded(const Solid& solid, const std::vector<Point>& image) {
       result.push_back(t);
   }
   return result;
+}
+
+std::optional<std::vector<Point>> unfolded_image(const Solid& solid, const std::vector<Point>& image,
+                                                 const Progress& progress) {
+  for (const int t : folded(solid, image)) {
+    const auto& v = solid.corners(t);
+    if (std::all_of(v.begin(), v.end(), [&](int k) { return solid.on_boundary[k] >= 0; })) return {};
+  }
+  double before = 0;
+  double after = 0;
+  for (const auto& [a, b, c, d] : solid.mesh.tetrahedra) {
+    before += determinant(solid.point(a), solid.point(b), solid.point(c), solid.point(d));
+    after += determinant(image[a], image[b], image[c], image[d]);
+  }
+  if (!(after > 0)) return {}; // the boundary alone decides this
+  const double scale = std::cbrt(after / before);
+  unfold::Problem problem;
+  for (const auto& v : solid.mesh.tetrahedra) {
+    std::array<Vector, 3> edges{};
+    for (std::size_t k = 0; k < 3; ++k) edges[k] = scale * (solid.point(v[k + 1]) - solid.point(v[0]));
+    const double volume = dot(edges[0], cross(edges[1], edges[2]));
+    if (!(volume > 0)) return {}; // positive, but not after rounding
+    problem.elements.push_back(unfold::element(v, edges, volume));
+  }
+  for (const int b : solid.on_boundary)
+    problem.freedom.push_back({b >= 0 ? unfold::Freedom::Kind::fixed : unfold::Freedom::Kind::free, {}});
+  unfold::Unfolded done = unfold::unfold(problem, image, {}, progress);
+  if (!folded(solid, done.points).empty()) return {};
+  return std::move(done.points);
 }
 
 PolycubeHexahedra pulled_back(const Solid& solid, const std::vector<Point>& image,

@@ -207,6 +207,17 @@ TEST_CASE("Without help a smooth solid is divided by the way it faces, rims bein
   CHECK(found->solid.size() > whole.size());
   for (std::size_t v = 0; v < whole.mesh.points.size(); ++v)
     REQUIRE(found->solid.mesh.points[v] == whole.mesh.points[v]);
+  // What was split is told, in order, so that anything known at the old vertices can be carried to the new.
+  std::vector<Point> carried = whole.mesh.points;
+  for (const mesh::EdgePoint& s : found->splits) {
+    REQUIRE(std::max(s.from, s.to) < static_cast<int>(carried.size()));
+    Point p{};
+    for (std::size_t a = 0; a < 3; ++a) p[a] = (1 - s.part) * carried[s.from][a] + s.part * carried[s.to][a];
+    carried.push_back(p);
+  }
+  REQUIRE(carried.size() == found->solid.mesh.points.size());
+  CHECK(carried.size() > whole.mesh.points.size());
+  CHECK(carried == found->solid.mesh.points);
   AutomaticOptions options;
   options.threads = 3;
   const auto again = automatic_partition(whole, options);

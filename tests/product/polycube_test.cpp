@@ -270,6 +270,31 @@ TEST_CASE("A solid that is its own polycube gets its own cubes back", "[polycube
   }
 }
 
+TEST_CASE("Random foldings of a solid's image are unfolded, and cubes carried by it", "[polycube]") {
+  for (int seed = 0; seed < 20; ++seed) {
+    const Mapped m(seed % 2 == 0 ? corner(3) : Voxels({3, 4, 3}, true), same);
+    std::vector<Point> image = m.solid.mesh.points;
+    support::Random random(seed);
+    for (std::size_t v = 0; v < image.size(); ++v)
+      for (double& x : image[v])
+        if (m.solid.on_boundary[v] < 0) x += (0.5 + 0.1 * seed) * (2 * random.uniform() - 1);
+    const bool was_folded = !folded(m.solid, image).empty();
+    CHECK((was_folded || seed < 4));
+    const auto unfolded = unfolded_image(m.solid, image);
+    REQUIRE(unfolded);
+    CHECK(folded(m.solid, *unfolded).empty());
+    for (const int v : m.solid.vertex) REQUIRE((*unfolded)[v] == image[v]);
+    const PolycubeHexahedra made = pulled_back(m.solid, *unfolded);
+    CHECK(made.solid.left_out == 0);
+    CHECK(quality(made.solid.mesh).bad.empty());
+  }
+  // A tetrahedron whose corners are all on the boundary cannot be helped: here those of a single cube.
+  const Mapped cube(Voxels({1, 1, 1}, true), same);
+  std::vector<Point> flat = cube.solid.mesh.points;
+  for (Point& p : flat) p[2] = 0;
+  CHECK_FALSE(unfolded_image(cube.solid, flat));
+}
+
 TEST_CASE("Cubes are carried by any map that folds nothing", "[polycube]") {
   // Corners of the cubes that are vertices of the mesh go where these are, and no others are asked for.
   for (const int fine : {2, 4}) {

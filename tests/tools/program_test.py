@@ -1035,6 +1035,13 @@ class Product(InFolder):
         self.assertAlmostEqual(volume, 0.8 * plan, delta=0.03 * plan)
         _, smoothed = run_json("product", self.ridges, "--labels", "1,2", "--hex", "20", "--smooth")
         self.assertGreaterEqual(smoothed["min_scaled_jacobian"], made["min_scaled_jacobian"])
+        self.assertNotIn("untangling", smoothed)  # nothing to untangle
+        _, tangled = run_json("product", self.smooth, "--hex", "16", "--layers", "2", "--smooth")
+        untangling = tangled["untangling"]
+        self.assertGreater(untangling["bad_before"], 0)
+        self.assertLessEqual(untangling["bad_after"], untangling["bad_before"])
+        self.assertLessEqual(tangled["inverted"], untangling["bad_after"])
+        self.assertGreaterEqual(tangled["min_scaled_jacobian"], untangling["min_scaled_jacobian_before"])
 
     def test_what_is_written_is_read_again(self):
         path = self.path("labels.mesh")

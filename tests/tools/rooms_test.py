@@ -68,7 +68,7 @@ class Compiler(unittest.TestCase):
         self.assertEqual(seen("enumeration"), {"numeric", "core", "enumeration"})
         # Headers of mesh include headers of format, which bundle does not see for all that; so with slit.
         self.assertEqual(seen("bundle"), {"numeric", "core", "mesh", "bundle"})
-        self.assertEqual(seen("product"), {"numeric", "core", "algebra", "mesh", "slit", "product"})
+        self.assertEqual(seen("product"), {"numeric", "core", "algebra", "mesh", "slit", "unfold", "product"})
         # Headers of embed include headers of algebra and hyperbolic.
         self.assertEqual(seen("show"), {"numeric", "core", "bundle", "embed", "format", "mesh", "product", "scene", "show", "slit"})
 

@@ -167,8 +167,15 @@ Field solved(const product::SplitSolid& at, double height, const Options& option
   return field;
 }
 
-/// The solid with its partition, and with the hexahedra of a polycube if there is one: these need no
-/// partition if the map alone carries them well. Nothing where there are hexahedra and no partition.
+/// A page shows the solid beside its domain.
+bool wants_page(const Options& options) {
+  return std::any_of(options.outputs.begin(), options.outputs.end(),
+                     [](const std::string& path) { return format::has_extension(path, ".html"); });
+}
+
+/// The solid with its partition, and with the hexahedra of a polycube if there is one. Where the map alone
+/// carries these well, no partition is sought that nobody asked for. Nothing where there are hexahedra and no
+/// partition.
 std::optional<PartitionedSolid> started(SolidProduct& made, const Options& options, const Context& context) {
   const format::Soup soup = read(options, made.report, context);
   product::Solid solid = in_file(options.input, [&] { return product::solid(mesh_of(soup)); });
@@ -181,6 +188,12 @@ std::optional<PartitionedSolid> started(SolidProduct& made, const Options& optio
     carried = carried_by_map(solid, polycube, options.hexahedra, context);
   }
   std::optional<PartitionedSolid> start;
+  if (carried.is_good() && !is_given(options.partition) && !wants_page(options)) {
+    made.report.json["tetrahedra"] = solid.size();
+    made.report.rows.emplace_back("solid", counted(solid.size(), "tetrahedron"));
+    add_polycube(made, std::move(carried), volume, options.hexahedra, context);
+    return start;
+  }
   try {
     start = in_file(options.input,
                     [&] { return partitioned(std::move(solid), soup, options.partition, context); });
@@ -321,7 +334,9 @@ Run declare_product(OptionTable& table) {
       .in_range(1, 100'000);
   table.add("--layers", o->hexahedra.layers, "number of layers of hexahedra (default: as high as wide)")
       .in_range(1, 100'000);
-  table.add("--smooth", o->hexahedra.smooth, "improve hexahedra by moving points inside the solid");
+  table.add(
+      "--smooth", o->hexahedra.smooth,
+      "improve hexahedra by moving points inside the solid and along its flat sides and straight ridges");
   table
       .add("--polycube", o->hexahedra.polycube,
            "make hexahedra from a polycube: a mesh whose vertex k is the image of the solid's vertex k on a "

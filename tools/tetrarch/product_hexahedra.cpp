@@ -9,6 +9,7 @@
 #include "tetrarch/core/error.hpp"
 #include "tetrarch/product/polycube.hpp"
 #include "tetrarch/product/polycube_pullback.hpp"
+#include "tetrarch/product/untangle.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -20,12 +21,18 @@ namespace {
 
 using product::Point;
 
-/// Smoothed if wanted, measured and told.
+/// Meshes with a lesser scaled Jacobian are untangled before they are smoothed.
+constexpr double smooth_enough = 0.2;
+
+/// Untangled and smoothed if wanted, measured and told.
 void add_quality(SolidProduct& made, double solid_volume, const HexahedraOptions& options,
                  const Progress& progress) {
   product::HexQuality quality = product::quality(made.hexahedra->mesh);
   if (options.smooth) {
     const product::HexQuality before = std::move(quality);
+    // Points move one at a time in smoothing, which seldom undoes a tangle.
+    if (before.minimum < smooth_enough)
+      made.report.add(untangled_report(product::untangle(made.hexahedra->mesh, {}, progress)));
     const product::Smoothed smoothed =
         product::smooth(made.hexahedra->mesh, made.hexahedra->on_boundary, {}, progress);
     made.report.add(smoothed_report(smoothed, before));
@@ -118,6 +125,10 @@ CarriedCubes carried_by_map(const product::Solid& solid, const format::Soup& pol
     if (const auto image = product::harmonic_image(solid, boundary, clamped))
       try_map(*image, clamped ? "a harmonic map, with clamped weights" : "a harmonic map");
   }
+  if (!best.is_good())
+    if (const auto start = product::harmonic_image(solid, boundary, true))
+      if (const auto image = product::unfolded_image(solid, *start, context.progress))
+        try_map(*image, "an unfolded map");
   return best;
 }
 

@@ -291,6 +291,22 @@ Report verdict_report(const Verdict& verdict) {
   return report;
 }
 
+Report untangled_report(const product::Untangled& untangled) {
+  Report report;
+  report.json["untangling"] = {{"bad_before", untangled.bad_before},
+                               {"bad_after", untangled.bad_after},
+                               {"min_scaled_jacobian_before", untangled.minimum_before},
+                               {"min_scaled_jacobian_after", untangled.minimum_after},
+                               {"sliding", untangled.sliding},
+                               {"iterations", untangled.iterations}};
+  report.rows = {{"untangling",
+                  counted(untangled.iterations, "iteration") + ", " + counted(untangled.sliding, "point") +
+                      " sliding; 0 or less in " + std::to_string(untangled.bad_before) + " before, in " +
+                      std::to_string(untangled.bad_after) + " after; " + fixed(untangled.minimum_before, 4) +
+                      " at least before, " + fixed(untangled.minimum_after, 4) + " after"}};
+  return report;
+}
+
 Report smoothed_report(const product::Smoothed& smoothed, const product::HexQuality& before) {
   Report report;
   report.json["smoothing"] = {{"sweeps", smoothed.sweeps},

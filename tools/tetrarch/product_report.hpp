@@ -11,6 +11,7 @@
 #include "tetrarch/product/hexahedra.hpp"
 #include "tetrarch/product/product.hpp"
 #include "tetrarch/product/smooth.hpp"
+#include "tetrarch/product/untangle.hpp"
 
 #include <string>
 
@@ -52,6 +53,7 @@ struct Verdict {
   std::string because;
 };
 Report verdict_report(const Verdict& verdict);
+Report untangled_report(const product::Untangled& untangled);
 Report smoothed_report(const product::Smoothed& smoothed, const product::HexQuality& before);
 
 } // namespace tetrarch::program

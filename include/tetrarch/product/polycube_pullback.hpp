@@ -31,6 +31,12 @@ harmonic_image(const Solid& solid, const std::vector<Point>& boundary_image, boo
 /// The tetrahedra whose image has no positive volume, decided exactly. O(n).
 std::vector<int> folded(const Solid& solid, const std::vector<Point>& image);
 
+/// The same map unfolded by the energy of the room `unfold`, the boundary being fixed; each tetrahedron would
+/// like to keep its shape. Nothing where tetrahedra stay folded, as those must whose corners are all on the
+/// boundary and whose image has no positive volume. O(n) an iteration.
+[[nodiscard]] std::optional<std::vector<Point>>
+unfolded_image(const Solid& solid, const std::vector<Point>& image, const Progress& progress = {});
+
 /// `image` holds the image of each vertex of the solid's mesh; no tetrahedron may be folded. Throws as
 /// `filled_polycube`, and PreconditionError where a tetrahedron is folded. Points that are in no tetrahedron,
 /// by rounding, are left out, and so is what is beside them. O(n + c log c) for c cubes, if no tetrahedron is

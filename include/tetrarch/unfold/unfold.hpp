@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+/// Maps of tetrahedra without folds.
+///
+///      .-----.            .-----.       Each element has a shape that it would like to have, and J, 3 x 3,
+///      is
+///      |\ x  |            |\    |       the linear map from there to where its corners are. Its energy is
+///      | \/\ |    --->    | \ x |
+///      | / \\|            |  \ /|           tr(J'J) / chi(det J)^(2/3) + theta (det(J)^2 + 1) / chi(det J),
+///      '-----'            '---'-'
+///                                       with chi(D) = (D + sqrt(D^2 + eps^2)) / 2: about D for D > 0, and
+///                                       small but positive for D <= 0, so that what is turned over has a
+///                                       finite energy and a way back.
+///
+/// The energy is minimized by L-BFGS, again and again, while eps falls towards 0: a wall grows where det J is
+/// 0, behind those that have passed it. Corners of hexahedra are elements, too. No success is guaranteed,
+/// but the result never has more folded elements than the start. One thread, sums in the order of the
+/// elements: the same everywhere.
+///
+/// Source: Garanzha, Kaporin, Kudryavtseva, Protais, Ray and Sokolov, "Foldover-free maps in 50 lines of
+/// code" (2021), sections 2 and 3. L-BFGS: Nocedal and Wright, "Numerical Optimization", chapter 7.
+
+#include "tetrarch/core/progress.hpp"
+#include "tetrarch/numeric/vector.hpp"
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace tetrarch::unfold {
+
+using numeric::Point;
+using numeric::Vector;
+
+/// Four of the points, and the shape that they would like to have.
+struct Element {
+  std::array<int, 4> corner{};
+  std::array<Vector, 3>
+      inverse{};     ///< of the matrix whose columns are the wanted edges from corner 0, by rows
+  double weight = 1; ///< of its energy in the sum
+};
+
+/// The element with these corners that would like to have these edges from the first to the others. Throws
+/// PreconditionError unless they make a positive volume.
+Element element(const std::array<int, 4>& corner, const std::array<Vector, 3>& edges, double weight = 1);
+
+/// Where a point may go.
+struct Freedom {
+  enum class Kind : std::uint8_t { free, plane, line, fixed } kind = Kind::free;
+  Vector direction{}; ///< unit: the normal of the plane, or along the line
+
+  /// The part of a motion that is allowed.
+  Vector allowed(const Vector& motion) const;
+};
+
+struct Problem {
+  std::vector<Element> elements;
+  std::vector<Freedom> freedom; ///< of each point
+};
+
+struct Options {
+  double theta = 0.5; ///< how much sizes count beside angles
+  int most_rounds = 100;
+  int iterations = 300;     ///< of L-BFGS in a round, at most
+  double least_gain = 1e-3; ///< of the energy in a round, in terms of it: with less, and no fold, it is done
+};
+
+/// The energy, and if wanted its gradient, in which forbidden motions are still there. O(elements).
+double energy(const std::vector<Element>& elements, const std::vector<Point>& points, double theta,
+              double epsilon, std::vector<Vector>* gradient = nullptr);
+
+/// det J of each element: 1 for those of the wanted volume, 0 or less for those that are folded.
+std::vector<double> determinants(const std::vector<Element>& elements, const std::vector<Point>& points);
+
+struct Unfolded {
+  std::vector<Point> points;
+  int folded_before = 0; ///< elements with a determinant of 0 or less, or none at all
+  int folded_after = 0;
+  int rounds = 0;
+  int iterations = 0;
+  double least_determinant = 0;
+};
+
+/// The best of the points met at the end of a round, the start included: of fewest folded elements, then the
+/// latest. Throws PreconditionError unless there is a freedom for each point and all corners are points. O(n)
+/// an iteration.
+Unfolded unfold(const Problem& problem, std::vector<Point> start, const Options& options = {},
+                const Progress& progress = {});
+
+} // namespace tetrarch::unfold

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "tetrarch/product/untangle.hpp"
+
+#include "tetrarch/core/error.hpp"
+#include "tetrarch/unfold/unfold.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+namespace tetrarch::product {
+namespace {
+
+using namespace numeric;
+using unfold::Freedom;
+
+/// Of each corner its three neighbors, in the order of a right-handed corner of a cube.
+constexpr std::array<std::array<int, 3>, 8> neighbors{
+    {{1, 3, 4}, {2, 0, 5}, {3, 1, 6}, {0, 2, 7}, {7, 5, 0}, {4, 6, 1}, {5, 7, 2}, {6, 4, 3}}};
+constexpr std::array<std::array<int, 4>, 6> sides{
+    {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}}};
+
+/// Normals whose sine is less than this are of one plane: points slide along it by many edges, and what they
+/// then leave the plane by must be far below an edge.
+constexpr double same_plane = 1e-6;
+
+/// Squares of the surface, by their points.
+std::vector<std::array<int, 4>> surface(const HexMesh& mesh) {
+  using Square = std::array<int, 4>;
+  std::vector<std::pair<Square, Square>> all; // sorted, and in order
+  for (const Hexahedron& h : mesh.hexahedra)
+    for (const auto& side : sides) {
+      const Square square{h[side[0]], h[side[1]], h[side[2]], h[side[3]]};
+      Square sorted = square;
+      std::sort(sorted.begin(), sorted.end());
+      all.emplace_back(sorted, square);
+    }
+  std::sort(all.begin(), all.end());
+  std::vector<Square> result;
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    const bool is_inside = (k > 0 && all[k - 1].first == all[k].first) ||
+                           (k + 1 < all.size() && all[k + 1].first == all[k].first);
+    if (!is_inside) result.push_back(all[k].second);
+  }
+  return result;
+}
+
+/// The planes around a point, by their normals; more than two do not matter.
+struct Planes {
+  std::vector<Vector> normals;
+  bool is_on_surface = false;
+  bool is_curved = false;
+
+  void add(const Vector& normal) {
+    is_on_surface = true;
+    const auto same = [&](const Vector& n) { return norm(cross(n, normal)) < same_plane; };
+    if (normals.size() < 3 && std::none_of(normals.begin(), normals.end(), same)) normals.push_back(normal);
+  }
+};
+
+/// Adds a square to the planes around its points: those of its corners must all be one.
+void add(const HexMesh& mesh, const std::array<int, 4>& square, std::vector<Planes>& planes) {
+  std::vector<Vector> normals;
+  for (std::size_t k = 0; k < 4; ++k) {
+    const Point& p = mesh.points[square[k]];
+    const auto n =
+        direction(cross(mesh.points[square[(k + 1) % 4]] - p, mesh.points[square[(k + 3) % 4]] - p));
+    if (n) normals.push_back(*n);
+  }
+  const bool is_flat = !normals.empty() && std::all_of(normals.begin(), normals.end(), [&](const Vector& n) {
+    return norm(cross(n, normals.front())) < same_plane;
+  });
+  for (const int v : square) {
+    planes[v].is_on_surface = true;
+    if (is_flat)
+      planes[v].add(normals.front());
+    else
+      planes[v].is_curved = true;
+  }
+}
+
+double mean_edge(const HexMesh& mesh) {
+  double sum = 0;
+  for (const Hexahedron& h : mesh.hexahedra)
+    for (std::size_t c = 0; c < 8; ++c)
+      for (const int n : neighbors[c]) sum += distance(mesh.points[h[c]], mesh.points[h[n]]);
+  return sum / (24.0 * static_cast<double>(mesh.hexahedra.size()));
+}
+
+unfold::Problem problem_of(const HexMesh& mesh, const std::vector<Sliding>& may,
+                           const std::vector<char>& fixed) {
+  unfold::Problem problem;
+  const double size = mean_edge(mesh);
+  const std::array<Vector, 3> cube{{{size, 0, 0}, {0, size, 0}, {0, 0, size}}};
+  for (const Hexahedron& h : mesh.hexahedra)
+    for (std::size_t c = 0; c < 8; ++c) {
+      const auto& [x, y, z] = neighbors[c];
+      problem.elements.push_back(unfold::element({h[c], h[x], h[y], h[z]}, cube));
+    }
+  for (std::size_t v = 0; v < may.size(); ++v) {
+    Freedom f;
+    f.direction = may[v].direction;
+    const bool stays = may[v].kind == Sliding::Kind::fixed || (!fixed.empty() && fixed[v] != 0);
+    f.kind = stays                                 ? Freedom::Kind::fixed
+             : may[v].kind == Sliding::Kind::plane ? Freedom::Kind::plane
+             : may[v].kind == Sliding::Kind::ridge ? Freedom::Kind::line
+                                                   : Freedom::Kind::free;
+    problem.freedom.push_back(f);
+  }
+  return problem;
+}
+
+} // namespace
+
+std::vector<Sliding> sliding(const HexMesh& mesh) {
+  std::vector<Planes> planes(mesh.points.size());
+  for (const auto& square : surface(mesh)) add(mesh, square, planes);
+  std::vector<Sliding> result(planes.size());
+  for (std::size_t v = 0; v < planes.size(); ++v) {
+    const Planes& p = planes[v];
+    if (!p.is_on_surface) continue;
+    result[v].kind = Sliding::Kind::fixed;
+    if (p.is_curved) continue;
+    if (p.normals.size() == 1) result[v] = {Sliding::Kind::plane, p.normals[0]};
+    if (p.normals.size() == 2)
+      if (const auto along = direction(cross(p.normals[0], p.normals[1])))
+        result[v] = {Sliding::Kind::ridge, *along};
+  }
+  return result;
+}
+
+Untangled untangle(HexMesh& mesh, const std::vector<char>& fixed, const Progress& progress) {
+  if (!fixed.empty() && fixed.size() != mesh.points.size())
+    throw PreconditionError("untangle: each point needs a flag that says whether it is fixed");
+  Untangled result;
+  const HexQuality before = quality(mesh);
+  result.bad_before = result.bad_after = static_cast<int>(before.bad.size());
+  result.minimum_before = result.minimum_after = before.minimum;
+  if (mesh.hexahedra.empty() || !(mean_edge(mesh) > 0)) return result;
+  const unfold::Problem problem = problem_of(mesh, sliding(mesh), fixed);
+  for (const Freedom& f : problem.freedom)
+    if (f.kind == Freedom::Kind::plane || f.kind == Freedom::Kind::line) ++result.sliding;
+  unfold::Unfolded done = unfold::unfold(problem, mesh.points, {}, progress);
+  result.iterations = done.iterations;
+  HexMesh other{std::move(done.points), mesh.hexahedra};
+  const HexQuality after = quality(other);
+  if (!is_better(after, before)) return result;
+  mesh = std::move(other);
+  result.bad_after = static_cast<int>(after.bad.size());
+  result.minimum_after = after.minimum;
+  return result;
+}
+
+} // namespace tetrarch::product

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "tetrarch/unfold/unfold.hpp"
+
+#include "lbfgs.hpp"
+#include "tetrarch/core/error.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace tetrarch::unfold {
+namespace {
+
+/// Once nothing is folded; and the least that an epsilon may become on the way there.
+constexpr double settled = 1e-9;
+/// By so much, at least, the wall grows in a round.
+constexpr double least_progress = 0.1;
+
+/// Points that may move, as one list of numbers.
+class Movable {
+public:
+  Movable(const Problem& problem, std::vector<Point> points) : problem_(problem), points_(std::move(points)) {
+    for (int v = 0; v < static_cast<int>(points_.size()); ++v)
+      if (problem.freedom[v].kind != Freedom::Kind::fixed) moving_.push_back(v);
+  }
+  const std::vector<Point>& points() const { return points_; }
+  Values values() const {
+    Values x;
+    x.reserve(3 * moving_.size());
+    for (const int v : moving_) x.insert(x.end(), points_[v].begin(), points_[v].end());
+    return x;
+  }
+  void place(const Values& x) {
+    for (std::size_t k = 0; k < moving_.size(); ++k)
+      for (std::size_t a = 0; a < 3; ++a) points_[moving_[k]][a] = x[3 * k + a];
+  }
+  double energy(const Values& x, Values& gradient, double theta, double epsilon) {
+    place(x);
+    const double value = unfold::energy(problem_.elements, points_, theta, epsilon, &all_);
+    for (std::size_t k = 0; k < moving_.size(); ++k) {
+      const Vector allowed = problem_.freedom[moving_[k]].allowed(all_[moving_[k]]);
+      std::copy(allowed.begin(), allowed.end(), gradient.begin() + static_cast<std::ptrdiff_t>(3 * k));
+    }
+    return value;
+  }
+
+private:
+  const Problem& problem_;
+  std::vector<Point> points_;
+  std::vector<int> moving_;
+  std::vector<Vector> all_;
+};
+
+double chi(double d, double epsilon) {
+  return (d + std::hypot(d, epsilon)) / 2;
+}
+
+/// The next epsilon: chi of the worst element falls by the part of the energy that the round has gained.
+double tightened(double epsilon, double worst, double gained) {
+  const double wanted = (1 - std::clamp(gained, least_progress, 0.9)) * chi(worst, epsilon);
+  return worst < wanted ? std::max(settled, 2 * std::sqrt(wanted * (wanted - worst))) : settled;
+}
+
+int folded(const std::vector<double>& determinants) {
+  return static_cast<int>(
+      std::count_if(determinants.begin(), determinants.end(), [](double d) { return !(d > 0); }));
+}
+
+void require(const Problem& problem, const std::vector<Point>& start) {
+  if (problem.freedom.size() != start.size()) throw PreconditionError("unfold: each point needs its freedom");
+  const int count = static_cast<int>(start.size());
+  for (const Element& e : problem.elements)
+    for (const int v : e.corner)
+      if (v < 0 || v >= count) throw PreconditionError("unfold: a corner is none of the points");
+}
+
+} // namespace
+
+Unfolded unfold(const Problem& problem, std::vector<Point> start, const Options& options,
+                const Progress& progress) {
+  require(problem, start);
+  Unfolded result;
+  std::vector<double> all = determinants(problem.elements, start);
+  result.folded_before = result.folded_after = folded(all);
+  if (all.empty()) {
+    result.points = std::move(start);
+    return result;
+  }
+  double worst = *std::min_element(all.begin(), all.end());
+  result.least_determinant = worst;
+  result.points = start;
+  Movable movable(problem, std::move(start));
+  Values x = movable.values();
+  double epsilon = worst > 0 ? settled : std::max(1.0, std::hypot(worst, 0.1));
+  constexpr double flat = 1e-6; // gain of an iteration at which a round is over
+  for (; result.rounds < options.most_rounds && !x.empty(); ++result.rounds) {
+    const auto f = [&](const Values& at, Values& gradient) {
+      return movable.energy(at, gradient, options.theta, epsilon);
+    };
+    Values gradient(x.size());
+    const double before = f(x, gradient);
+    if (!std::isfinite(before)) break;
+    const double part = result.rounds / static_cast<double>(options.most_rounds);
+    const Descent done = minimize(f, x, options.iterations, flat, [&] { progress.step("unfolding", part); });
+    result.iterations += done.iterations;
+    movable.place(x);
+    all = determinants(problem.elements, movable.points());
+    worst = *std::min_element(all.begin(), all.end());
+    const int now = folded(all);
+    if (now <= result.folded_after) {
+      result.folded_after = now;
+      result.points = movable.points();
+      result.least_determinant = worst;
+    }
+    const double gained = 1 - done.value / before;
+    if (worst > 0 && epsilon <= settled && gained < options.least_gain) break;
+    epsilon = tightened(epsilon, worst, gained);
+  }
+  return result;
+}
+
+} // namespace tetrarch::unfold
