@@ -97,20 +97,6 @@ class Hyperbolize(unittest.TestCase):
             self.assertGreater(len(values), 10)
             self.assertTrue(all(a > b for a, b in zip(values, values[1:])))
 
-    def test_errors_are_json_where_results_are(self):
-        path = self.path("bad.off")
-        with open(path, "w", encoding="utf-8") as file:
-            file.write("OFF\n3 1 0\n0 0 0\n1 0 zero\n0 1 0\n3 0 1 2\n")
-        done = run("check", path, "--json")
-        self.assertEqual((done.returncode, done.stdout), (2, ""))
-        error = json.loads(done.stderr)["error"]
-        self.assertEqual((error["code"], error["file"], error["line"]), ("bad_input", path, 4))
-        self.assertIn("'zero'", error["message"])
-        for words in (["info", "nonsense"], ["info", "--bogus"], ["no_command"]):
-            done = run(*words, "--json")
-            self.assertEqual((done.returncode, done.stdout), (2, ""), words)
-            self.assertIsNone(json.loads(done.stderr)["error"]["file"])
-
     def test_cusps_have_shapes_and_lengths_into_them_are_marked(self):
         # The Whitehead link: a regular octahedron, so that both cusps are squares, glued into rectangles of 1 by 2.
         found = run_json("hyperbolize", "m129")[1]
@@ -657,6 +643,24 @@ class Manners(unittest.TestCase):
         plain = run("hyperbolize", "fmp3_20", "--threads", "1").stdout
         german = run("hyperbolize", "fmp3_20", "--threads", "2", env={**os.environ, "LC_ALL": "de_DE.UTF-8"}).stdout
         self.assertEqual(plain, german)
+
+
+class Errors(unittest.TestCase):
+    def test_errors_are_json_where_results_are(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        path = os.path.join(folder.name, "bad.off")
+        with open(path, "w", encoding="utf-8") as file:
+            file.write("OFF\n3 1 0\n0 0 0\n1 0 zero\n0 1 0\n3 0 1 2\n")
+        done = run("check", path, "--json")
+        self.assertEqual((done.returncode, done.stdout), (2, ""))
+        error = json.loads(done.stderr)["error"]
+        self.assertEqual((error["code"], error["file"], error["line"]), ("bad_input", path, 4))
+        self.assertIn("'zero'", error["message"])
+        for words in (["info", "nonsense"], ["info", "--bogus"], ["no_command"]):
+            done = run(*words, "--json")
+            self.assertEqual((done.returncode, done.stdout), (2, ""), words)
+            self.assertIsNone(json.loads(done.stderr)["error"]["file"])
 
 
 class Embed(unittest.TestCase):

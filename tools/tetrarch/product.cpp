@@ -65,10 +65,7 @@ void check(const Options& options) {
 format::Soup read(const Options& options, Report& report, const Context& context) {
   format::Soup soup = read_soup(options.input, context);
   for (std::string& done : mend(soup, options.doctor)) report.warnings.push_back(std::move(done));
-  // A point that no tetrahedron names has no place in the system of equations.
-  mesh::Repaired used = mesh::without_unused(std::move(soup));
-  report.warnings.insert(report.warnings.end(), used.done.begin(), used.done.end());
-  return std::move(used.soup);
+  return soup;
 }
 
 /// Tetrahedra without volume are told by the numbers and lines of the file.
