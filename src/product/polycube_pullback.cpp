@@ -29,6 +29,10 @@ constexpr double outside = -1e-6;
 /// Weights nearer to 0 are 0, so that points on faces and at vertices are exactly there.
 constexpr double near_zero = 1e-13;
 
+bool is_finite(const Point& p) {
+  return std::all_of(p.begin(), p.end(), [](double x) { return std::isfinite(x); });
+}
+
 double determinant(const Point& o, const Point& a, const Point& b, const Point& c) {
   return dot(a - o, cross(b - o, c - o));
 }
@@ -216,7 +220,8 @@ std::vector<int> folded(const Solid& solid, const std::vector<Point>& image) {
   std::vector<int> result;
   for (int t = 0; t < solid.size(); ++t) {
     const auto& v = solid.corners(t);
-    if (numeric::volume_sign(image[v[0]], image[v[1]], image[v[2]], image[v[3]]) != Sign::positive)
+    if (!std::all_of(v.begin(), v.end(), [&](int k) { return is_finite(image[k]); }) ||
+        volume_sign(image[v[0]], image[v[1]], image[v[2]], image[v[3]]) != Sign::positive)
       result.push_back(t);
   }
   return result;

@@ -313,7 +313,12 @@ TEST_CASE("Cubes are carried by any map that folds nothing", "[polycube]") {
     // planes, off the outside and off the hole's rim.
     const int ring = (3 * fine - 1) * (3 * fine - 1) - (fine + 1) * (fine + 1);
     CHECK(std::count(made.solid.on_boundary.begin(), made.solid.on_boundary.end(), 0) == ring * (fine - 1));
-    // A folded map has no inverse.
+    // Neither a map that is not finite nor a folded one has an inverse.
+    for (const double wild : {std::nan(""), HUGE_VAL}) {
+      std::vector<Point> image = inside;
+      image[5][1] = wild;
+      CHECK_FALSE(folded(m.solid, image).empty());
+    }
     std::swap(inside[0], inside[1]);
     CHECK_FALSE(folded(m.solid, inside).empty());
     CHECK_THROWS_AS(pulled_back(m.solid, inside, options), PreconditionError);

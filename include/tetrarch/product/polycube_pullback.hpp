@@ -28,7 +28,7 @@ namespace tetrarch::product {
 [[nodiscard]] std::optional<std::vector<Point>>
 harmonic_image(const Solid& solid, const std::vector<Point>& boundary_image, bool clamped = false);
 
-/// The tetrahedra whose image has no positive volume, decided exactly. O(n).
+/// The tetrahedra whose image has no positive volume, decided exactly, or is not finite. O(n).
 std::vector<int> folded(const Solid& solid, const std::vector<Point>& image);
 
 /// The same map unfolded by the energy of the room `unfold`, the boundary being fixed; each tetrahedron would
