@@ -270,11 +270,4 @@ Repaired repair(format::Soup soup) {
   return result;
 }
 
-Repaired without_unused(format::Soup soup) {
-  Repaired result{std::move(soup), {}};
-  const std::int64_t unused = remove_unused_points(result.soup);
-  if (unused > 0) result.done.push_back(counted("removed", unused, "unused vertices"));
-  return result;
-}
-
 } // namespace tetrarch::mesh

@@ -301,7 +301,9 @@ class Products(Options):
             self.assertEqual((found["flipped"], found["partition"]["floor"], found["partition"]["walls"]), (0, 18, [72]))
         # A loop around at height 1, extended by more than 1 to both sides: floor and ceiling are what is beyond.
         tunnel = ("--tunnel", "16,17,18,19,23,27,31,30,29,28,24,20")
-        beyond = self.good("product", box, *tunnel, "--extend", "1.1", "--anyway")["partition"]
+        status, found = run_json("product", box, *tunnel, "--extend", "1.1", "--anyway")
+        self.assertEqual((status, found["flipped"]), (4, 4))  # corners of the box fold over, which is said
+        beyond = found["partition"]
         self.assertEqual(beyond["floor"] + beyond["ceiling"] + sum(beyond["walls"]), 108)  # 6 sides, 9 squares each
         self.assertEqual(run("product", box, *tunnel, "--extend", "0.5").returncode, 2)
 

@@ -32,9 +32,6 @@ struct Repaired {
   std::vector<std::string> done; ///< a sentence for each kind of repair that was needed
 };
 
-/// Without the points that no element names, and without triangles of a solid on such points. O(n).
-Repaired without_unused(format::Soup soup);
-
 /// The rest keeps its numbers and lines in the file. O(n log n) in the worst case, in practice linear.
 Repaired repair(format::Soup soup);
 
