@@ -84,9 +84,11 @@ void refuse_volumes(const format::Soup& soup, const mesh::Report& report) {
 }
 
 /// Bad elements are told by the file's own numbers and lines.
-mesh::TetMesh mesh_of(format::Soup soup) {
+mesh::TetMesh mesh_of(format::Soup soup, Report& report) {
   const mesh::Report findings = mesh::validate(soup, 1);
   if (findings.count(mesh::Severity::fatal) == 0) refuse_volumes(soup, findings);
+  if (const std::int64_t unused = findings.count(mesh::Kind::unused_vertex); unused > 0)
+    report.warnings.push_back("passed over: " + counted(unused, "vertex") + " in no tetrahedron");
   return mesh::build(std::move(soup), findings);
 }
 
@@ -175,7 +177,7 @@ bool wants_page(const Options& options) {
 /// partition.
 std::optional<PartitionedSolid> started(SolidProduct& made, const Options& options, const Context& context) {
   const format::Soup soup = read(options, made.report, context);
-  product::Solid solid = in_file(options.input, [&] { return product::solid(mesh_of(soup)); });
+  product::Solid solid = in_file(options.input, [&] { return product::solid(mesh_of(soup, made.report)); });
   const std::string& path = options.hexahedra.polycube;
   CarriedCubes carried;
   format::Soup polycube;
