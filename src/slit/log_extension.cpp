@@ -83,6 +83,7 @@ std::vector<std::size_t> small_circles(const std::vector<Circle>& circles) {
   std::sort(found.begin(), found.end());
   found.resize(std::min(found.size(), most));
   std::vector<std::size_t> result;
+  result.reserve(found.size());
   for (const auto& [size, k] : found) result.push_back(k);
   return result;
 }

@@ -133,12 +133,13 @@ TEST_CASE("numbers as C, Fortran and others print them", "[variants]") {
   CHECK(x_of("+.5E0") == 0.5);
   CHECK(x_of("1e-400") == 0);
   CHECK(std::signbit(x_of("-1.0E-400")));
-  CHECK(x_of("1e400") == HUGE_VAL);
-  CHECK(x_of("-1D400") == -HUGE_VAL);
   CHECK(x_of("0." + std::string(400, '0') + "1") == 0);
-  CHECK(x_of("1.#INF") == HUGE_VAL);
-  CHECK(std::isnan(x_of("-1.#IND")));
-  CHECK(std::isnan(x_of("nan")));
+  // Numbers that are none are read as such, and a mesh refuses them.
+  const std::vector<std::pair<std::string, std::string>> not_finite{
+      {"1e400", "inf"}, {"-1D400", "-inf"}, {"1.#INF", "inf"}, {"-1.#IND", "nan"}, {"nan", "nan"}};
+  for (const auto& [number, value] : not_finite)
+    CHECK(error_of([&, n = number] { x_of(n); }) ==
+          "f:2: coordinate x of vertex 0 is " + value + ", expected a finite number");
   for (const std::string bad : {"1.0DD0", "++1", "+-1", "1,5", "D5", "0x10", "1e", "+"})
     CHECK(error_of([&] { x_of(bad); }) == "f:2: found '" + bad + "', expected a coordinate");
 }
@@ -171,10 +172,11 @@ TEST_CASE("ASCII STL of several solids, in capitals, without end, with anything 
 
 TEST_CASE("binary STL with bytes behind it, with a text for a head, cut off", "[variants]") {
   std::string text = "solid" + std::string(75, ' ') + bytes(std::uint32_t{4}, false);
-  for (const auto& corners : one_boundary().triangles) {
+  const Soup boundary = one_boundary();
+  for (const auto& corners : boundary.triangles) {
     text += std::string(12, '\0');
     for (const int v : corners)
-      for (const double x : one_boundary().points[static_cast<std::size_t>(v)])
+      for (const double x : boundary.points[static_cast<std::size_t>(v)])
         text += bytes(static_cast<float>(x), false);
     text += std::string("\x07\0", 2);
   }
