@@ -99,14 +99,13 @@ private:
 
   /// False for a section that is not known.
   bool read_section(const std::string& section) {
+    if (section == "$Comments") return false; // which may come before all others
     if (section == "$MeshFormat") {
       read_format();
     } else if (section == "$NOD" || section == "$ELM") {
       has_format_ = true;
       version_ = Version::v1;
       section == "$NOD" ? read_nodes(false) : read_elements();
-    } else if (section == "$Comments") {
-      return false;
     } else if (!has_format_) {
       in_.fail(section, "$MeshFormat");
     } else if (section == "$Entities" && is_4()) {

@@ -165,7 +165,9 @@ private:
         continue;
       }
       numbers_.pass_over_array(type, components * tuples);
-      soup_.passed_over.note((what.empty() ? "field array " : what + " ") + name);
+      std::string passed = what.empty() ? "field array" : what;
+      passed.append(" ").append(name);
+      soup_.passed_over.note(passed);
     }
   }
 

@@ -152,8 +152,9 @@ void split_pinched_solid(Repaired& result, const Triangulation& tri, const std::
       const Gluing gluing = tri.gluing({t, f});
       for (int v = 0; v < 4 && gluing.tet >= 0; ++v)
         if (v != f)
-          corners.merge(static_cast<std::size_t>(4 * t + v),
-                        static_cast<std::size_t>(4 * gluing.tet + gluing.perm[v]));
+          corners.merge(std::size_t{4} * static_cast<std::size_t>(t) + static_cast<std::size_t>(v),
+                        std::size_t{4} * static_cast<std::size_t>(gluing.tet) +
+                            static_cast<std::size_t>(gluing.perm[v]));
     }
   const std::vector<std::array<int, 4>> before = soup.tetrahedra;
   const std::int64_t count = corners.split(soup, soup.tetrahedra, proper);
@@ -175,7 +176,8 @@ void split_pinched_surface(Repaired& result) {
           const Side a = shared[k - 1].at();
           const Side b = shared[k].at();
           const auto corner = [](Side s, Side end) {
-            return static_cast<std::size_t>(3 * s.triangle() + end.corner());
+            return std::size_t{3} * static_cast<std::size_t>(s.triangle()) +
+                   static_cast<std::size_t>(end.corner());
           };
           const auto vertex = [&](Side s, Side end) { return soup.triangles[s.triangle()][end.corner()]; };
           const bool alike = vertex(a, a.next()) == vertex(b, b.next());

@@ -46,7 +46,8 @@ public:
     for (std::size_t axis = 0; axis < 3; ++axis) middle[axis] = std::floor(p[axis] / tolerance_);
     int best = -1;
     for (int k = 0; k < 27; ++k) {
-      const Cell cell{middle[0] + k % 3 - 1, middle[1] + k / 3 % 3 - 1, middle[2] + k / 9 - 1};
+      const std::array<int, 3> step{k % 3 - 1, k / 3 % 3 - 1, k / 9 - 1};
+      const Cell cell{middle[0] + step[0], middle[1] + step[1], middle[2] + step[2]};
       const auto found = cells_.find(cell);
       if (found == cells_.end()) continue;
       for (const int w : found->second)

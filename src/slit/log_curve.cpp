@@ -41,6 +41,7 @@ std::vector<Complex> local(const LogCurve& curve) {
 
 std::vector<Complex> TaylorSeries::path(Complex center, double gap) {
   std::vector<Complex> result;
+  result.reserve(terms);
   for (int j = 0; j < terms; ++j) result.push_back(center + std::polar(gap / 4, full_turn * j / terms));
   return result;
 }

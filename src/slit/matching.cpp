@@ -184,6 +184,7 @@ std::vector<std::pair<std::size_t, std::size_t>> pairs(const std::vector<Circle>
   const auto affordable = static_cast<std::size_t>(std::clamp(budget / (n * n * n), 4.0, 600.0));
   ranked.resize(std::min(ranked.size(), affordable));
   std::vector<std::pair<std::size_t, std::size_t>> result;
+  result.reserve(ranked.size());
   for (const auto& [rank, pair] : ranked) result.push_back(pair);
   return result;
 }
