@@ -2,6 +2,7 @@
 #include "cusps.hpp"
 
 #include "tetrarch/embed/placed.hpp"
+#include "tetrarch/hyperbolic/cusp.hpp"
 #include "tetrarch/numeric/instantiate.hpp"
 
 #include <algorithm>
@@ -11,21 +12,14 @@ namespace {
 
 using hyperbolic::Metric;
 
-/// The side of the horosphere's triangle at vertex i that lies in face ijk, squared: the squared distance in
-/// R^{3,1} of its ends, read from the Gram matrix.
-template <class Scalar>
-Scalar squared_side(const Matrix4<Scalar>& w, int i, int j, int k) {
-  return w[j][j] / (w[i][j] * w[i][j]) + w[k][k] / (w[i][k] * w[i][k]) - 2 * w[j][k] / (w[i][j] * w[i][k]);
-}
-
 /// By Heron's formula in the squares of the sides.
 template <class Scalar>
 Scalar triangle_area(const Matrix4<Scalar>& w, int i) {
   using std::sqrt;
   const auto& o = face_vertex[i];
-  const Scalar a = squared_side(w, i, o[0], o[1]);
-  const Scalar b = squared_side(w, i, o[1], o[2]);
-  const Scalar c = squared_side(w, i, o[2], o[0]);
+  const Scalar a = hyperbolic::squared_horosphere_side(w, i, o[0], o[1]);
+  const Scalar b = hyperbolic::squared_horosphere_side(w, i, o[1], o[2]);
+  const Scalar c = hyperbolic::squared_horosphere_side(w, i, o[2], o[0]);
   return sqrt(Scalar(4 * a * b - (a + b - c) * (a + b - c))) / 4;
 }
 

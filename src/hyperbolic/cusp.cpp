@@ -32,12 +32,9 @@ std::vector<std::array<double, 3>> sides_of(const Skeleton& skeleton, const Metr
     const int i = at.vertex;
     sides.emplace_back();
     for (int c = 0; c < 3; ++c) {
-      // The squared distance, in R^{3,1}, of the points where two edges leave the horosphere.
       const int j = face_vertex[i][next_corner[c]];
       const int k = face_vertex[i][next_corner[next_corner[c]]];
-      const double squared =
-          w[j][j] / (w[i][j] * w[i][j]) + w[k][k] / (w[i][k] * w[i][k]) - 2 * w[j][k] / (w[i][j] * w[i][k]);
-      sides.back()[c] = std::sqrt(std::max(squared, 0.0));
+      sides.back()[c] = std::sqrt(std::max(squared_horosphere_side(w, i, j, k), 0.0));
     }
   }
   return sides;

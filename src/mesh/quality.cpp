@@ -2,6 +2,7 @@
 #include "tetrarch/mesh/quality.hpp"
 
 #include "orient_solid.hpp"
+#include "tetrarch/numeric/vector.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -12,22 +13,9 @@
 namespace tetrarch::mesh {
 namespace {
 
-using Point = std::array<double, 3>;
+using namespace numeric;
 
 constexpr double degrees = 180 / std::numbers::pi;
-
-Point minus(const Point& a, const Point& b) {
-  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-}
-Point cross(const Point& a, const Point& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-double dot(const Point& a, const Point& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-double length(const Point& a) {
-  return std::hypot(a[0], a[1], a[2]);
-}
 
 /// Between two vectors, without loss near 0 and 180 degrees.
 double angle(const Point& a, const Point& b) {
@@ -87,17 +75,17 @@ ElementQuality quality_of(const std::array<Point, 4>& tetrahedron) {
     for (std::size_t b = a + 1; b < 4; ++b) {
       const std::size_t c = a == 0 ? (b == 1 ? 2 : 1) : 0;
       const std::size_t d = 6 - a - b - c;
-      const Point edge = minus(p[b], p[a]);
-      const double here = angle(cross(edge, minus(p[c], p[a])), cross(edge, minus(p[d], p[a])));
+      const Vector edge = p[b] - p[a];
+      const double here = angle(cross(edge, p[c] - p[a]), cross(edge, p[d] - p[a]));
       out.least_angle = std::min(out.least_angle, here);
       out.greatest_angle = std::max(out.greatest_angle, here);
     }
-  const double determinant = dot(minus(p[1], p[0]), cross(minus(p[2], p[0]), minus(p[3], p[0])));
+  const double determinant = dot(p[1] - p[0], cross(p[2] - p[0], p[3] - p[0]));
   double greatest = 0;
   for (std::size_t a = 0; a < 4; ++a) {
     double product = 1;
     for (std::size_t b = 0; b < 4; ++b)
-      if (b != a) product *= length(minus(p[b], p[a]));
+      if (b != a) product *= length(p[b] - p[a]);
     greatest = std::max(greatest, product);
   }
   out.scaled_jacobian = quotient(std::numbers::sqrt2 * determinant, greatest);
@@ -108,7 +96,7 @@ ElementQuality quality_of(const std::array<Point, 3>& triangle) {
   const std::array<Point, 3> p = scaled(triangle);
   ElementQuality out{0, std::numeric_limits<double>::infinity(), 0, 0};
   for (std::size_t a = 0; a < 3; ++a) {
-    const double here = angle(minus(p[(a + 1) % 3], p[a]), minus(p[(a + 2) % 3], p[a]));
+    const double here = angle(p[(a + 1) % 3] - p[a], p[(a + 2) % 3] - p[a]);
     out.least_angle = std::min(out.least_angle, here);
     out.greatest_angle = std::max(out.greatest_angle, here);
   }
@@ -149,8 +137,8 @@ Extent extent(const format::Soup& soup) {
     for (const auto& corners : soup.triangles) {
       std::array<Point, 3> p{};
       for (std::size_t c = 0; c < 3; ++c)
-        p[c] = minus(soup.points[static_cast<std::size_t>(corners[c])], out.least);
-      const Point normal = cross(minus(p[1], p[0]), minus(p[2], p[0]));
+        p[c] = soup.points[static_cast<std::size_t>(corners[c])] - out.least;
+      const Point normal = cross(p[1] - p[0], p[2] - p[0]);
       out.area += length(normal) / 2;
       out.volume += dot(p[0], cross(p[1], p[2])) / 6;
     }

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "tetrarch/product/hex_mesh.hpp"
+
+#include "hexahedron.hpp"
 #include "tetrarch/numeric/vector.hpp"
 
 #include <algorithm>
@@ -12,17 +14,9 @@ namespace {
 
 using namespace numeric;
 
-/// Of each corner its three neighbours, so that they make a right-handed corner of a cube.
-constexpr std::array<std::array<int, 3>, 8> neighbors{
-    {{1, 3, 4}, {2, 0, 5}, {3, 1, 6}, {0, 2, 7}, {7, 5, 0}, {4, 6, 1}, {5, 7, 2}, {6, 4, 3}}};
-
 /// Opposite faces, those of greater coordinate first.
 constexpr std::array<std::array<std::array<int, 4>, 2>, 3> opposite_faces{
     {{{{1, 2, 5, 6}, {0, 3, 4, 7}}}, {{{2, 3, 6, 7}, {0, 1, 4, 5}}}, {{{4, 5, 6, 7}, {0, 1, 2, 3}}}}};
-
-/// Seen from outside each is counterclockwise.
-constexpr std::array<std::array<int, 4>, 6> sides{
-    {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}}};
 
 Point middle(const std::array<Point, 8>& corners) {
   Point center{};
@@ -50,7 +44,7 @@ double scaled_jacobian(const std::array<Point, 8>& corners) {
       axis[a] = axis[a] + (corners[opposite_faces[a][0][c]] - corners[opposite_faces[a][1][c]]);
   double least = scaled_determinant(axis[0], axis[1], axis[2]);
   for (std::size_t c = 0; c < 8; ++c) {
-    const auto& [x, y, z] = neighbors[c];
+    const auto& [x, y, z] = corner_neighbors[c];
     least = std::min(
         least, scaled_determinant(corners[x] - corners[c], corners[y] - corners[c], corners[z] - corners[c]));
   }
@@ -60,7 +54,7 @@ double scaled_jacobian(const std::array<Point, 8>& corners) {
 double volume(const std::array<Point, 8>& corners) {
   // From a corner, so that cells of round coordinates have exact volumes wherever they are.
   double twelve = 0;
-  for (const auto& side : sides)
+  for (const auto& side : outward_sides)
     for (std::size_t k = 0; k < 4; ++k) {
       const Vector a = corners[side[k]] - corners[0];
       const Vector b = corners[side[(k + 1) % 4]] - corners[0];

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "tetrarch/product/polycube.hpp"
 
+#include "hexahedron.hpp"
 #include "polycube_sheets.hpp"
 #include "tetrarch/core/error.hpp"
 #include "tetrarch/numeric/parallel.hpp"
@@ -178,16 +179,7 @@ void collect(PolycubeHexahedra& result, const std::vector<Image>& images, const 
     result.solid.mesh.points.push_back(images[node].point);
     result.solid.on_boundary.push_back(static_cast<char>(cubes.on_boundary[vertex[node]] >= 0));
   }
-  for (std::size_t h = 0; h < result.cubes.hexahedra.size(); ++h) {
-    Hexahedron hexahedron = result.cubes.hexahedra[h];
-    for (int& v : hexahedron) v = number[v];
-    if (std::count(hexahedron.begin(), hexahedron.end(), -1) > 0) {
-      ++result.solid.left_out;
-      continue;
-    }
-    result.solid.mesh.hexahedra.push_back(hexahedron);
-    result.cube.push_back(static_cast<int>(h));
-  }
+  add_whole_cubes(result, number);
 }
 
 } // namespace

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "tetrarch/product/polycube_pullback.hpp"
 
+#include "hexahedron.hpp"
 #include "polycube_sheets.hpp"
 #include "tetrarch/core/error.hpp"
 #include "tetrarch/mesh/edge_weights.hpp"
@@ -124,23 +125,9 @@ Point carried(const Solid& solid, Place place) {
 
 /// Points of squares that belong to one cube only.
 std::vector<char> on_surface(const HexMesh& cubes) {
-  constexpr std::array<std::array<int, 4>, 6> sides{
-      {{0, 1, 2, 3}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}}};
-  // Opposite corners tell squares of a lattice apart.
-  std::vector<std::array<int, 5>> squares;
-  for (const Hexahedron& h : cubes.hexahedra)
-    for (const auto& side : sides) {
-      std::array<int, 4> v{h[side[0]], h[side[1]], h[side[2]], h[side[3]]};
-      std::sort(v.begin(), v.end());
-      squares.push_back({v[0], v[1], v[2], v[3], 0});
-    }
-  std::sort(squares.begin(), squares.end());
   std::vector<char> result(cubes.points.size(), 0);
-  for (std::size_t k = 0; k < squares.size(); ++k) {
-    const bool is_shared =
-        (k > 0 && squares[k - 1] == squares[k]) || (k + 1 < squares.size() && squares[k + 1] == squares[k]);
-    for (std::size_t c = 0; c < 4 && !is_shared; ++c) result[squares[k][c]] = 1;
-  }
+  for (const auto& square : surface_squares(cubes))
+    for (const int v : square) result[v] = 1;
   return result;
 }
 
@@ -282,16 +269,7 @@ PolycubeHexahedra pulled_back(const Solid& solid, const std::vector<Point>& imag
     result.solid.mesh.points.push_back(carried(solid, at[node]));
     result.solid.on_boundary.push_back(outer[node]);
   }
-  for (std::size_t h = 0; h < result.cubes.hexahedra.size(); ++h) {
-    Hexahedron hexahedron = result.cubes.hexahedra[h];
-    for (int& v : hexahedron) v = number[v];
-    if (std::count(hexahedron.begin(), hexahedron.end(), -1) > 0) {
-      ++result.solid.left_out;
-      continue;
-    }
-    result.solid.mesh.hexahedra.push_back(hexahedron);
-    result.cube.push_back(static_cast<int>(h));
-  }
+  add_whole_cubes(result, number);
   return result;
 }
 

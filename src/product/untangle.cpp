@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "tetrarch/product/untangle.hpp"
 
+#include "hexahedron.hpp"
 #include "tetrarch/core/error.hpp"
 #include "tetrarch/unfold/unfold.hpp"
 
@@ -15,36 +16,9 @@ namespace {
 using namespace numeric;
 using unfold::Freedom;
 
-/// Of each corner its three neighbors, in the order of a right-handed corner of a cube.
-constexpr std::array<std::array<int, 3>, 8> neighbors{
-    {{1, 3, 4}, {2, 0, 5}, {3, 1, 6}, {0, 2, 7}, {7, 5, 0}, {4, 6, 1}, {5, 7, 2}, {6, 4, 3}}};
-constexpr std::array<std::array<int, 4>, 6> sides{
-    {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}}};
-
 /// Normals whose sine is less than this are of one plane: points slide along it by many edges, and what they
 /// then leave the plane by must be far below an edge.
 constexpr double same_plane = 1e-6;
-
-/// Squares of the surface, by their points.
-std::vector<std::array<int, 4>> surface(const HexMesh& mesh) {
-  using Square = std::array<int, 4>;
-  std::vector<std::pair<Square, Square>> all; // sorted, and in order
-  for (const Hexahedron& h : mesh.hexahedra)
-    for (const auto& side : sides) {
-      const Square square{h[side[0]], h[side[1]], h[side[2]], h[side[3]]};
-      Square sorted = square;
-      std::sort(sorted.begin(), sorted.end());
-      all.emplace_back(sorted, square);
-    }
-  std::sort(all.begin(), all.end());
-  std::vector<Square> result;
-  for (std::size_t k = 0; k < all.size(); ++k) {
-    const bool is_inside = (k > 0 && all[k - 1].first == all[k].first) ||
-                           (k + 1 < all.size() && all[k + 1].first == all[k].first);
-    if (!is_inside) result.push_back(all[k].second);
-  }
-  return result;
-}
 
 /// The planes around a point, by their normals; more than two do not matter.
 struct Planes {
@@ -84,7 +58,7 @@ double mean_edge(const HexMesh& mesh) {
   double sum = 0;
   for (const Hexahedron& h : mesh.hexahedra)
     for (std::size_t c = 0; c < 8; ++c)
-      for (const int n : neighbors[c]) sum += distance(mesh.points[h[c]], mesh.points[h[n]]);
+      for (const int n : corner_neighbors[c]) sum += distance(mesh.points[h[c]], mesh.points[h[n]]);
   return sum / (24.0 * static_cast<double>(mesh.hexahedra.size()));
 }
 
@@ -95,7 +69,7 @@ unfold::Problem problem_of(const HexMesh& mesh, const std::vector<Sliding>& may,
   const std::array<Vector, 3> cube{{{size, 0, 0}, {0, size, 0}, {0, 0, size}}};
   for (const Hexahedron& h : mesh.hexahedra)
     for (std::size_t c = 0; c < 8; ++c) {
-      const auto& [x, y, z] = neighbors[c];
+      const auto& [x, y, z] = corner_neighbors[c];
       problem.elements.push_back(unfold::element({h[c], h[x], h[y], h[z]}, cube));
     }
   for (std::size_t v = 0; v < may.size(); ++v) {
@@ -115,7 +89,7 @@ unfold::Problem problem_of(const HexMesh& mesh, const std::vector<Sliding>& may,
 
 std::vector<Sliding> sliding(const HexMesh& mesh) {
   std::vector<Planes> planes(mesh.points.size());
-  for (const auto& square : surface(mesh)) add(mesh, square, planes);
+  for (const auto& square : surface_squares(mesh)) add(mesh, square, planes);
   std::vector<Sliding> result(planes.size());
   for (std::size_t v = 0; v < planes.size(); ++v) {
     const Planes& p = planes[v];

@@ -64,10 +64,6 @@ bool is_group(const std::string& text) {
          text.substr(first, 2) != "<?";
 }
 
-format::GroupDocument group_document(algebra::Presentation group, std::string name = {}) {
-  return {group.generators, std::move(group.relators), std::move(name), {}, {}};
-}
-
 /// The manifold of a name, "m004", or of a name with Dehn fillings, "m004(1,2)", which are passed over.
 std::optional<format::Document> named_manifold(const std::string& argument) {
   std::optional<identify::Named> named = identify::find_named(argument);
@@ -122,13 +118,17 @@ std::optional<format::MeshDocument> mesh_in(const std::string& path, Locate loca
 
 /// A mesh, a group or a triangulation, whatever the text is.
 Content content_of(const std::string& text, const std::string& source) {
-  if (is_group(text)) return group_document(algebra::parse_presentation(text, source));
+  if (is_group(text)) return document_of(algebra::parse_presentation(text, source));
   if (format::looks_like_group_json(text)) return format::read_group_json(text, source);
   if (format::looks_like_mesh_json(text)) return format::read_mesh_json(text, source);
   return format::read_any(text, source);
 }
 
 } // namespace
+
+format::GroupDocument document_of(algebra::Presentation group, std::string name) {
+  return {group.generators, std::move(group.relators), std::move(name), {}, {}};
+}
 
 std::string kind_of(const Content& content) {
   if (std::holds_alternative<format::Document>(content)) return "triangulation";

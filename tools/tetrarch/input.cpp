@@ -24,10 +24,6 @@ workshop::OpenOptions opened_with(const Doctor& doctor) {
   return {doctor, located};
 }
 
-format::GroupDocument group_document(algebra::Presentation group, std::string name = {}) {
-  return {group.generators, std::move(group.relators), std::move(name), {}, {}};
-}
-
 } // namespace
 
 format::Document triangulation_of(const std::string& name, const Value& value, const Context& context,
@@ -61,7 +57,8 @@ std::vector<LocatedGroup> read_groups(const std::string& argument, const Context
   const ValuePointer value = read_value(argument, context);
   if (const auto* held = std::get_if<format::GroupDocument>(value.get())) {
     if (as_given) return {{*held, {}}};
-    return {{group_document(simplified(presentation_of(*held), {}, context.progress), held->name), {}}};
+    return {
+        {workshop::document_of(simplified(presentation_of(*held), {}, context.progress), held->name), {}}};
   }
   const format::Document document = triangulation_of(argument, *value, context);
   require_manifolds(document.triangulation, argument);
@@ -72,7 +69,7 @@ std::vector<LocatedGroup> fundamental_groups(const Triangulation& tri, bool as_r
                                              const Progress& progress) {
   std::vector<LocatedGroup> groups;
   for (workshop::ComponentGroup& found : workshop::fundamental_groups(tri, as_read, progress))
-    groups.push_back({group_document(std::move(found.group)), std::move(found.faces)});
+    groups.push_back({workshop::document_of(std::move(found.group)), std::move(found.faces)});
   return groups;
 }
 

@@ -22,6 +22,13 @@
 
 namespace tetrarch::hyperbolic {
 
+/// The side of the horosphere's triangle at ideal vertex i that lies in face ijk, squared: the squared
+/// distance in R^{3,1} of its ends, read from the Gram matrix.
+template <class Scalar>
+Scalar squared_horosphere_side(const numeric::Matrix4<Scalar>& w, int i, int j, int k) {
+  return w[j][j] / (w[i][j] * w[i][j]) + w[k][k] / (w[i][k] * w[i][k]) - 2 * w[j][k] / (w[i][j] * w[i][k]);
+}
+
 /// A cusp of a structure.
 struct Cusp {
   VertexId vertex;

@@ -13,6 +13,7 @@
 ///
 /// What a read passed over and what else it has to say stands in `passed_over` and `warnings` of the result.
 
+#include "tetrarch/algebra/group.hpp"
 #include "tetrarch/core/progress.hpp"
 #include "tetrarch/format/document.hpp"
 #include "tetrarch/format/group_json.hpp"
@@ -46,6 +47,9 @@ format::Document triangulation_of(const std::string& name, const Content& conten
 
 /// The mesh or surface in a file, as it stands there, or in JSON spelled out.
 format::Soup open_mesh(const std::string& what, const OpenOptions& options = {});
+
+/// A group as a file keeps it.
+format::GroupDocument document_of(algebra::Presentation group, std::string name = {});
 
 /// "triangulation", "mesh", "surface" or "group".
 std::string kind_of(const Content& content);
