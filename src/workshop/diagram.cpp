@@ -2,6 +2,7 @@
 #include "tetrarch/workshop/diagram.hpp"
 
 #include "tetrarch/core/error.hpp"
+#include "tetrarch/diagram/curve.hpp"
 #include "tetrarch/diagram/exterior.hpp"
 #include "tetrarch/diagram/read.hpp"
 #include "tetrarch/diagram/write.hpp"
@@ -40,12 +41,22 @@ Tree wirtinger_tree(const Exterior& x) {
 
 } // namespace
 
-diagram::Diagram open_diagram(const std::string& what, const OpenOptions& options) {
-  if (is_file(what, options.locate))
-    return diagram::read_diagram(format::read_file(located(what, options.locate)), format::source_name(what));
+diagram::Diagram open_diagram(const std::string& what, const OpenOptions& options, std::uint64_t seed,
+                              const Progress& progress) {
   if (diagram::looks_like_diagram(what)) return diagram::read_diagram(what, "the code given");
-  throw InputError(in_quotes(what) +
-                   " is no file and no code of a diagram (expected embedding, PD, X[...], braid, DT or Gauss)");
+  if (!is_file(what, options.locate))
+    throw InputError(in_quotes(what) + " is no file and no code of a diagram (expected embedding, PD, X[...], "
+                                       "braid, DT or Gauss)");
+  const std::string source = format::source_name(what);
+  const std::string text = format::read_file(located(what, options.locate));
+  if (diagram::looks_like_diagram(text) || !diagram::looks_like_curve(text))
+    return diagram::read_diagram(text, source);
+  const diagram::Curve curve = diagram::read_curve(text, source);
+  // Whether it meets itself is asked of the curve as it is given.
+  const diagram::Diagram whole = diagram::project(curve, source, {seed, 1}, progress);
+  const diagram::Curve shorter = diagram::reduced(curve, progress);
+  diagram::Diagram small = diagram::project(shorter, source, {seed}, progress);
+  return diagram::crossing_count(small) <= diagram::crossing_count(whole) ? small : whole;
 }
 
 DiagramFacts facts(const diagram::Diagram& diagram) {

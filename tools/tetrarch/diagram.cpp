@@ -16,11 +16,11 @@ namespace tetrarch::program {
 namespace {
 
 constexpr const char* code_help =
-    "a diagram: a file, or a code such as 'braid 1 -2 1 -2', 'PD[X[1,4,2,5], ...]', 'DT[4,6,2]'";
+    "a code such as 'braid 1 -2 1 -2', 'PD[X[1,4,2,5], ...]' or 'DT[4,6,2]', a file of one, or a curve in space";
 
 diagram::Diagram read_diagram(const std::string& argument, const Context& context) {
   context.reads->any = true;
-  return workshop::open_diagram(argument, {{}, located});
+  return workshop::open_diagram(argument, {{}, located}, context.seed, context.progress);
 }
 
 struct ExteriorOptions {

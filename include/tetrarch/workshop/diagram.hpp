@@ -12,9 +12,11 @@
 
 namespace tetrarch::workshop {
 
-/// The diagram that this is: a file, "-", or a code spelled out ("braid 1 -2 1 -2"). Throws InputError that
-/// says what was tried.
-diagram::Diagram open_diagram(const std::string& what, const OpenOptions& options = {});
+/// The diagram that this is: a file, "-", or a code spelled out ("braid 1 -2 1 -2"). A file may also hold the
+/// points of a curve in space, or lines of OBJ: it is reduced and projected. Throws InputError that says what
+/// was tried.
+diagram::Diagram open_diagram(const std::string& what, const OpenOptions& options = {},
+                              std::uint64_t seed = 1, const Progress& progress = {});
 
 /// What a diagram shows.
 struct DiagramFacts {
