@@ -179,6 +179,7 @@ bool looks_like_curve(std::string_view text) {
   for_each_line(text, [&](std::string_view line, int number) {
     const auto words = words_of(line);
     if (words.empty() || format::trimmed(line).starts_with('#')) return;
+    good &= words[0] != "v" && words[0] != "f"; // OBJ without lines
     const auto numbers = static_cast<std::size_t>(std::count_if(
         words.begin(), words.end(), [](std::string_view w) { return format::parse_double(w).has_value(); }));
     if (numbers == 3 && words.size() <= 4)

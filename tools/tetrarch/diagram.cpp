@@ -6,7 +6,7 @@
 #include "text.hpp"
 
 #include "tetrarch/core/error.hpp"
-#include "tetrarch/diagram/write.hpp"
+#include "tetrarch/diagram/moves.hpp"
 #include "tetrarch/format/text.hpp"
 #include "tetrarch/workshop/diagram.hpp"
 
@@ -47,12 +47,14 @@ struct DiagramOptions {
   std::string input;
   std::string output;
   bool mirror = false;
+  bool simplify = false;
 };
 
 Result describe_diagram(const DiagramOptions& options, const Context& context) {
   require_folder(options.output);
   diagram::Diagram diagram = read_diagram(options.input, context);
   if (options.mirror) diagram = mirrored(diagram);
+  if (options.simplify) diagram = diagram::simplified(diagram, context.progress);
   const workshop::DiagramFacts found = workshop::facts(diagram);
   Result result;
   result.json = tree_of(found);
@@ -76,6 +78,7 @@ Run declare_diagram(OptionTable& table) {
   const auto options = std::make_shared<DiagramOptions>();
   table.add("DIAGRAM", options->input, code_help).required();
   table.add("--mirror", options->mirror, "take the mirror image");
+  table.add("--simplify", options->simplify, "look for a diagram of the same with fewer crossings");
   table.add("-o,--output", options->output, "write the planar diagram code").value_name("FILE");
   return [options](const Context& context) { return describe_diagram(*options, context); };
 }
