@@ -6,8 +6,10 @@
 #include "text.hpp"
 
 #include "tetrarch/core/error.hpp"
+#include "tetrarch/diagram/layout.hpp"
 #include "tetrarch/diagram/moves.hpp"
 #include "tetrarch/format/text.hpp"
+#include "tetrarch/show/diagram.hpp"
 #include "tetrarch/workshop/diagram.hpp"
 
 #include <memory>
@@ -50,6 +52,8 @@ struct DiagramOptions {
   bool simplify = false;
 };
 
+constexpr std::size_t longest_title = 100;
+
 Result describe_diagram(const DiagramOptions& options, const Context& context) {
   require_folder(options.output);
   diagram::Diagram diagram = read_diagram(options.input, context);
@@ -59,7 +63,13 @@ Result describe_diagram(const DiagramOptions& options, const Context& context) {
   Result result;
   result.json = tree_of(found);
   result.text = block(rows_of(found));
-  if (!options.output.empty()) result.files.push_back({options.output, found.code + "\n"});
+  if (options.output.empty()) return result;
+  if (format::has_extension(options.output, ".svg")) {
+    const std::string title = options.input.substr(0, longest_title);
+    result.files.push_back({options.output, write_svg(show::drawing(layout(diagram, context.progress), title))});
+  } else {
+    result.files.push_back({options.output, found.code + "\n"});
+  }
   return result;
 }
 
@@ -79,7 +89,7 @@ Run declare_diagram(OptionTable& table) {
   table.add("DIAGRAM", options->input, code_help).required();
   table.add("--mirror", options->mirror, "take the mirror image");
   table.add("--simplify", options->simplify, "look for a diagram of the same with fewer crossings");
-  table.add("-o,--output", options->output, "write the planar diagram code").value_name("FILE");
+  table.add("-o,--output", options->output, "write a drawing (.svg), or the planar diagram code").value_name("FILE");
   return [options](const Context& context) { return describe_diagram(*options, context); };
 }
 
