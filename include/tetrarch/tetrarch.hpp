@@ -66,6 +66,7 @@
 #include "tetrarch/format/medit.hpp"
 #include "tetrarch/format/mesh_files.hpp"
 #include "tetrarch/format/mesh_json.hpp"
+#include "tetrarch/format/new_files.hpp"
 #include "tetrarch/format/orb.hpp"
 #include "tetrarch/format/read.hpp"
 #include "tetrarch/format/regina.hpp"

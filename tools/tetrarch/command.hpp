@@ -17,6 +17,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -48,7 +49,14 @@ struct Common {
   bool quiet = false;
   std::uint64_t seed = 1;
   int threads = 1;
+  std::optional<double> memory; ///< gigabytes that a job may take
 };
+
+/// For what is estimated before it is begun: gigabytes that are allowed.
+inline double allowed_gigabytes(const Common& common) {
+  constexpr double usual = 4;
+  return common.memory.value_or(usual);
+}
 
 struct Command;
 /// What a command has read so far.
