@@ -2,6 +2,7 @@
 #include "command.hpp"
 
 #include "tetrarch/workshop/canonical.hpp"
+#include "tetrarch/workshop/diagram.hpp"
 #include "tetrarch/workshop/identify.hpp"
 #include "tetrarch/workshop/info.hpp"
 #include "tetrarch/workshop/structure.hpp"
@@ -11,6 +12,7 @@ namespace {
 
 constexpr const char* triangulations = "Triangulations";
 constexpr const char* structures = "Hyperbolic structures";
+constexpr const char* diagrams = "Knots, links and graphs in space";
 constexpr const char* meshes = "Meshes of surfaces and solids";
 constexpr const char* tables = "The census";
 constexpr const char* session = "Sessions and help";
@@ -45,6 +47,11 @@ const std::vector<Command>& commands() {
       {triangulations, "subdivide",
        "more tetrahedra, the same manifold; real boundary in place of ideal vertices",
        "subdivide cPcbbbihq --finite --barycentric 1 -o knotted_y_mesh.json", declare_subdivide},
+      {triangulations, "drill", "the exterior of a set of edges", "drill cMcabbgqs 0", declare_drill},
+      {diagrams, "diagram", "read and check the diagram of a link or a graph in space",
+       "diagram 'braid 1 -2 1 -2'", declare_diagram, false, workshop::notes_of<workshop::DiagramFacts>},
+      {diagrams, "exterior", "the exterior of a link or a graph in space", "exterior 'braid 1 -2 1 -2'",
+       declare_exterior, false, workshop::notes_of<workshop::Exterior>},
       {structures, "hyperbolize",
        "find the structure with geodesic boundary and cusps, by Newton's method or Luo's flow",
        "hyperbolize cPcbbbihq", declare_hyperbolize, false, workshop::notes_of<workshop::Structure>},
