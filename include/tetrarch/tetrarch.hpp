@@ -123,6 +123,7 @@
 #include "tetrarch/moves/simplify.hpp"
 #include "tetrarch/moves/subdivide.hpp"
 #include "tetrarch/moves/truncate.hpp"
+#include "tetrarch/numeric/ball.hpp"
 #include "tetrarch/numeric/flat_locator.hpp"
 #include "tetrarch/numeric/flat_triangle.hpp"
 #include "tetrarch/numeric/instantiate.hpp"
