@@ -202,6 +202,12 @@ Ball atan2(const Ball& y, const Ball& x) {
   return result;
 }
 
+Ball ldexp(const Ball& x, int exponent) {
+  Ball result;
+  arb_mul_2exp_si(raw(result), raw(x), exponent);
+  return result;
+}
+
 Ball midpoint(const Ball& x) {
   return ball_of(arb_midref(raw(x)));
 }

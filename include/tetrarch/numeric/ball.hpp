@@ -86,6 +86,8 @@ Ball cosh(const Ball& x);
 Ball sin(const Ball& x);
 Ball cos(const Ball& x);
 Ball atan2(const Ball& y, const Ball& x);
+/// x times 2^exponent, exactly.
+Ball ldexp(const Ball& x, int exponent);
 
 /// The midpoint, exact.
 Ball midpoint(const Ball& x);
