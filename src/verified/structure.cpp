@@ -20,6 +20,9 @@ constexpr int bits_per_step = 45;
 /// Where a box does not hold its image, a larger one may: by these powers of two.
 constexpr int radii = 4;
 constexpr int larger = 4;
+/// Of the arithmetic that gives the volume at the midpoint.
+constexpr int bits_beside_volume = 32;
+constexpr const char* missing_tetrahedron = "a tetrahedron does not exist beyond doubt";
 
 /// -K'(m)^-1 in doubles; nothing where it is not finite.
 std::optional<SquareMatrix<double>> approximate_inverse(const EdgeSystem& system,
@@ -65,15 +68,15 @@ public:
   }
 
   Certification run(const SquareMatrix<double>& y) {
-    if (!refine(y)) return {std::nullopt, "a tetrahedron does not exist beyond doubt"};
+    if (!refine(y)) return {std::nullopt, missing_tetrahedron};
     const auto k = system_.curvature(middle_);
-    if (!k) return {std::nullopt, "a tetrahedron does not exist beyond doubt"};
+    if (!k) return {std::nullopt, missing_tetrahedron};
     const std::vector<Ball> step = applied(y, *k, system_.free());
     Ball radius = exactly(2 * largest(step));
     if (radius == Ball(0) && y.size > 0) radius = ldexp(Ball(1), -numeric::bits<Ball>());
     for (int attempt = 0; attempt < radii; ++attempt, radius = ldexp(radius, larger)) {
       progress_.step("certifying");
-      if (maps_into_itself(y, step, radius)) return proof(*k, radius);
+      if (maps_into_itself(y, step, radius)) return proof(radius);
     }
     return {std::nullopt, "no box of lengths is mapped into its inside"};
   }
@@ -125,17 +128,20 @@ private:
 
   /// With G(l) = V - 1/2 sum l K, dG = -1/2 sum K dl, and G is the volume at the structure, where K is 0.
   /// From there to the midpoint each l changes by no more than r, and K by no more than the sum of |dK/dl| r.
-  Certification proof(const Lengths& k, const Ball& radius) const {
-    const auto volume = system_.volume(middle_);
-    if (!volume) return {std::nullopt, "a tetrahedron does not exist beyond doubt"};
-    Ball g = *volume;
-    for (const EdgeId e : all<EdgeId>(middle_.size())) g -= middle_[e] * k[e] / 2;
+  /// Twice that leaves room for another's rounding. A few more bits, at one point, are cheap.
+  Certification proof(const Ball& radius) const {
     StructureProof found;
     found.bits = numeric::bits<Ball>();
     found.lengths = box(radius);
     found.radius = radius;
     found.fixed = system_.fixed();
-    found.volume = widened(g, Ball(radius * radius * total_slope_ / 2));
+    const numeric::WorkingPrecision precise(found.bits + bits_beside_volume);
+    const auto k = system_.curvature(middle_);
+    const auto volume = system_.volume(middle_);
+    if (!k || !volume) return {std::nullopt, missing_tetrahedron};
+    Ball g = *volume;
+    for (const EdgeId e : all<EdgeId>(middle_.size())) g -= middle_[e] * (*k)[e] / 2;
+    found.volume = widened(g, Ball(radius * radius * total_slope_));
     return {std::move(found), {}};
   }
 
@@ -161,7 +167,7 @@ void require_found(const Triangulation& tri, const Skeleton& skeleton,
 } // namespace
 
 VolumeInterval volume_interval(const StructureProof& proof) {
-  const numeric::WorkingPrecision precision(proof.bits);
+  const numeric::WorkingPrecision precision(proof.bits + bits_beside_volume);
   const int digits = digits_of(proof.volume);
   return {numeric::lower_decimal(proof.volume, digits), numeric::upper_decimal(proof.volume, digits)};
 }

@@ -98,6 +98,7 @@ Run declare_simplify(OptionTable& table);
 Run declare_truncate(OptionTable& table);
 Run declare_subdivide(OptionTable& table);
 Run declare_hyperbolize(OptionTable& table);
+Run declare_verify(OptionTable& table);
 Run declare_canonize(OptionTable& table);
 Run declare_isometric(OptionTable& table);
 Run declare_embed(OptionTable& table);
