@@ -255,6 +255,10 @@ double to_double(const Ball& x) {
   return arf_get_d(arb_midref(raw(x)), ARF_RND_NEAR);
 }
 
+int certain_bits(const Ball& x) {
+  return static_cast<int>(std::clamp(arb_rel_accuracy_bits(raw(x)), -most_bits, precision() + guard_bits));
+}
+
 std::string lower_decimal(const Ball& x, int digits) {
   return decimal(lower_end(x), digits, MPFR_RNDD);
 }

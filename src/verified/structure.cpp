@@ -151,10 +151,10 @@ private:
   Ball total_slope_ = 0;
 };
 
-/// As many digits as the ball's ends differ in, and two more.
+/// As many decimal digits as are certain, and three more to tell the ends apart.
 int digits_of(const Ball& x) {
-  const double bits = std::log2(std::abs(numeric::to_double(x)) / numeric::to_double(numeric::radius(x)));
-  return std::isfinite(bits) ? std::max(3, static_cast<int>(bits * 0.30103) + 3) : 17;
+  constexpr double digits_per_bit = 0.30103;
+  return 3 + std::max(0, static_cast<int>(numeric::certain_bits(x) * digits_per_bit));
 }
 
 void require_found(const Triangulation& tri, const Skeleton& skeleton,
@@ -199,7 +199,7 @@ Certification certify_to(int digits, const Triangulation& tri, const Skeleton& s
     if (!last.proof) continue;
     const numeric::WorkingPrecision precision(bits);
     const Ball& volume = last.proof->volume;
-    if (ldexp(numeric::radius(volume), bits - spare + 4) < volume) return last;
+    if (numeric::certain_bits(volume) > bits - spare + 4) return last;
   }
   if (last.proof) last = {std::nullopt, "the volume is not enclosed to so many digits"};
   return last;

@@ -116,6 +116,9 @@ Sign sign(const Ball& x);
 
 /// The double nearest to the midpoint.
 double to_double(const Ball& x);
+/// How many leading binary digits of x are certain; at most a few more than the working precision, and
+/// negative where none is.
+int certain_bits(const Ball& x);
 /// A decimal number no greater than any in x, with so many significant digits; and one no less.
 std::string lower_decimal(const Ball& x, int digits);
 std::string upper_decimal(const Ball& x, int digits);
