@@ -12,7 +12,8 @@
 namespace tetrarch::checker {
 namespace {
 
-constexpr int guard_bits = 64;
+/// Ushijima's formula loses many digits where tetrahedra are nearly flat.
+constexpr int guard_bits = 128;
 
 using Matrix = std::vector<std::vector<Interval>>;
 
@@ -165,7 +166,7 @@ private:
         sum.curvature[c] = sum.curvature[c] - values[e];
         add_slopes((*angles)[e], t, place_[c], sum.slope);
       }
-      if (with_volume) sum.volume = sum.volume + volume(values);
+      if (with_volume) sum.volume = sum.volume + volume(values, hyperideal);
     }
     return sum;
   }
@@ -179,7 +180,7 @@ private:
 
   std::string look_at_box() {
     const Interval radius(given_.radius);
-    if (!less(Interval(0), radius)) return "the radius is not positive";
+    if (!free_.empty() && !less(Interval(0), radius)) return "the radius is not positive";
     std::vector<Interval> box = middle_;
     for (const int c : free_) box[c] = box[c] + hull(-radius, radius);
     const auto at_middle = sums(middle_, true);

@@ -188,15 +188,21 @@ Interval twice_u(const Clausen& cl, const std::array<Interval, 6>& angles, const
   return sum;
 }
 
+/// Lobachevsky's sum, for which opposite angles of an ideal tetrahedron are equal.
+Interval ideal_volume(const Clausen& cl, const std::array<Interval, 6>& angles) {
+  return (cl(2 * angles[0]) + cl(2 * angles[1]) + cl(2 * angles[2])) / 2;
+}
+
 } // namespace
 
-Interval volume(const std::array<Interval, 6>& angles) {
+Interval volume(const std::array<Interval, 6>& angles, const Corners& hyperideal) {
   static thread_local mpfr_prec_t bits = 0;
   static thread_local std::optional<Clausen> clausen;
   if (bits != Interval::bits || !clausen) {
     bits = Interval::bits;
     clausen.emplace();
   }
+  if (hyperideal == Corners{}) return ideal_volume(*clausen, angles);
   const auto& [a, b, c, f, e, d] = angles;
   Interval re;
   Interval im;

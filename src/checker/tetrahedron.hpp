@@ -17,7 +17,8 @@ using Corners = std::array<bool, 4>;
 std::optional<std::array<Dual, 6>> dihedral_angles(const std::array<Interval, 6>& lengths,
                                                    const Corners& hyperideal);
 
-/// Ushijima's formula, of the angles of a tetrahedron that exists.
-Interval volume(const std::array<Interval, 6>& angles);
+/// Of the angles of a tetrahedron that exists: Lobachevsky's formula if all vertices are ideal, else
+/// Ushijima's.
+Interval volume(const std::array<Interval, 6>& angles, const Corners& hyperideal);
 
 } // namespace tetrarch::checker

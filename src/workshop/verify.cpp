@@ -56,7 +56,7 @@ const FieldList<Report>& fields_of<Report>() {
          return {r.volume[0], r.volume[1]};
        },
        is_accepted},
-      {{"bits", "", "binary digits that the proof was found with; the check takes 64 more"},
+      {{"bits", "", "binary digits that the proof was found with; the check takes 128 more"},
        [](R r) -> Tree { return r.bits; }}};
   return fields;
 }

@@ -16,8 +16,8 @@
 ///
 /// If the sides are real and every |cos| < 1, the tetrahedron exists. That the lengths in the box have one
 /// zero of all curvatures is Krawczyk's test. The volume comes from the angles by Ushijima's formula as it is
-/// printed, at the midpoint, and from there by Schlaefli's. Sources: Yin, section 4.3; Ushijima 2006;
-/// Moore-Kearfott-Cloud 2009, section 8.2.
+/// printed (Lobachevsky's where all vertices are ideal), at the midpoint, and from there by Schlaefli's.
+/// Sources: Yin, section 4.3; Ushijima 2006; Moore-Kearfott-Cloud 2009, section 8.2.
 
 #include <string>
 #include <string_view>
@@ -36,7 +36,7 @@ struct Report {
   std::vector<int> links;     ///< Euler characteristics of the vertex links, increasing
   std::string volume[2] = {}; ///< the claimed ends
   std::string radius;         ///< as claimed
-  int bits = 0;               ///< as claimed; the check computes with 64 more
+  int bits = 0;               ///< as claimed; the check computes with 128 more
 };
 
 /// Throws InputError that names `source` for a text that is no certificate: broken JSON, a member that is
