@@ -109,6 +109,7 @@ Run declare_drill(OptionTable& table);
 Run declare_diagram(OptionTable& table);
 Run declare_exterior(OptionTable& table);
 Run declare_hyperbolize(OptionTable& table);
+Run declare_verify(OptionTable& table);
 Run declare_canonize(OptionTable& table);
 Run declare_isometric(OptionTable& table);
 Run declare_embed(OptionTable& table);

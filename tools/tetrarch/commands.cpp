@@ -6,6 +6,7 @@
 #include "tetrarch/workshop/identify.hpp"
 #include "tetrarch/workshop/info.hpp"
 #include "tetrarch/workshop/structure.hpp"
+#include "tetrarch/workshop/verify.hpp"
 
 namespace tetrarch::program {
 namespace {
@@ -55,6 +56,8 @@ const std::vector<Command>& commands() {
       {structures, "hyperbolize",
        "find the structure with geodesic boundary and cusps, by Newton's method or Luo's flow",
        "hyperbolize cPcbbbihq", declare_hyperbolize, false, workshop::notes_of<workshop::Structure>},
+      {structures, "verify", "check a certificate of a structure by other means than those that made it",
+       "verify samples/knotted_y.cert.json", declare_verify, false, workshop::notes_of<checker::Report>},
       {structures, "canonize", "canonical cells, isometry signature and isometry group", "canonize fmp3_1",
        declare_canonize, false, workshop::notes_of<workshop::Cells>},
       {structures, "isometric", "decide whether two manifolds are isometric", "isometric cPcbbbihq fmp2_1",
