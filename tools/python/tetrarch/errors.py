@@ -1,0 +1,44 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""What is raised: bad data and bad calls. A mathematical no is a value, never an exception."""
+from __future__ import annotations
+
+from typing import Optional
+
+from . import _tetrarch
+
+
+class TetrarchError(ValueError):
+    """Bad data, or a bad call: one line that says what was found and what was expected.
+
+    >>> import tetrarch as tt
+    >>> try:
+    ...     tt.Manifold("m0004")
+    ... except tt.InputError as error:
+    ...     print(error.code, error.file, error.line)
+    bad_input None None
+    """
+
+    #: "bad_input" or "precondition", stable words
+    code = "error"
+
+    def __init__(self, message: str, file: Optional[str] = None, line: Optional[int] = None) -> None:
+        super().__init__(message)
+        #: what the error is about, as the caller named it; None: nothing that has a name
+        self.file = file
+        #: the line of that file, from 1; None: no line
+        self.line = line
+
+
+class InputError(TetrarchError):
+    """Bad data from outside: a file, an array, an option. It has `code`, `file` and `line`."""
+
+    code = "bad_input"
+
+
+class PreconditionError(TetrarchError):
+    """A call that cannot be: there is no such tetrahedron, the triangulation is no manifold."""
+
+    code = "precondition"
+
+
+_tetrarch.set_error_types(InputError, PreconditionError)
