@@ -4,7 +4,7 @@
     import tetrarch as tt
     M = tt.Manifold("m004")                     # a name, a signature, a file, arrays (V, T), an object of Regina or SnapPy
     M.volume(), M.homology(), M.identify().name
-    tt.census(3, boundary=2)[9.0:10.0]          # manifolds of the tables
+    tt.census(3, boundary=2)[7.0:7.5]          # manifolds of the tables
     tt.slit_map(V, F, domain="circular").uv     # a surface with holes laid flat
 
 Every command of the program is a function, too: `tt.hyperbolize("cPcbbbihq", attempts=10)`. Values never change and may be shared

@@ -34,8 +34,8 @@ def table() -> Dict[str, Any]:
     """What `tetrarch help --json` prints: commands, their options, the fields of their results.
 
     >>> import tetrarch as tt
-    >>> [option["names"] for option in tt.commands.table()["commands"][0]["arguments"]][:1] or "no options"
-    'no options'
+    >>> [argument["name"] for argument in tt.commands.table()["commands"][0]["arguments"]]
+    ['X']
     """
     described: Dict[str, Any] = json.loads(_tetrarch.describe())
     return described
@@ -321,7 +321,7 @@ def _documentation(command: Dict[str, Any]) -> str:
     lines += ["", "Returns a Result; see `run` for what may stand for an argument."]
     for field in command.get("result") or []:
         lines.append("    .%s: %s" % (field["name"], _field_doc(field)))
-    lines += ["", ">>> import tetrarch as tt", ">>> result = " + example_of(command), ">>> result.verdict", "'yes'"]
+    lines += ["", ">>> import tetrarch as tt", ">>> result = " + example_of(command), ">>> isinstance(result, tt.Result)", "True"]
     return "\n".join(lines)
 
 

@@ -30,13 +30,26 @@ class TetrarchError(ValueError):
 
 
 class InputError(TetrarchError):
-    """Bad data from outside: a file, an array, an option. It has `code`, `file` and `line`."""
+    """Bad data from outside: a file, an array, an option. It has `code`, `file` and `line`.
+
+    >>> import tetrarch as tt
+    >>> issubclass(tt.InputError, ValueError), tt.InputError.code
+    (True, 'bad_input')
+    """
 
     code = "bad_input"
 
 
 class PreconditionError(TetrarchError):
-    """A call that cannot be: there is no such tetrahedron, the triangulation is no manifold."""
+    """A call that cannot be: a structure is needed, and there is none.
+
+    >>> import tetrarch as tt
+    >>> try:
+    ...     tt.Manifold("S^3").dihedral_angles()
+    ... except tt.PreconditionError as error:
+    ...     print(error.code)
+    precondition
+    """
 
     code = "precondition"
 

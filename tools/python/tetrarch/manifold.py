@@ -102,7 +102,7 @@ class Structure:
 
         >>> import tetrarch as tt
         >>> round(float(tt.Manifold("cPcbbbihq").structure().edge_lengths[0]), 6)
-        0.844278
+        0.596134
         """
         return self._solved.edge_lengths
 
@@ -231,7 +231,7 @@ class SymmetryGroup:
 
         >>> import tetrarch as tt
         >>> tt.Manifold("m003").symmetry_group().is_abelian()
-        False
+        True
         """
         return all(a @ b == b @ a for a in self.isometries for b in self.isometries)
 
@@ -240,7 +240,7 @@ class SymmetryGroup:
 
         >>> import tetrarch as tt
         >>> tt.Manifold("m003").symmetry_group().is_amphicheiral()
-        False
+        True
         """
         signs = self._orientation
         return signs is not None and any(
@@ -535,7 +535,7 @@ class Manifold(Gluings):
 
         >>> import tetrarch as tt
         >>> tt.Manifold("cPcbbbihq").fundamental_group()
-        < a, b, c | abACbcAbC >
+        < a, b, c | abCaBcaCB >
         """
         return self.fundamental_groups(simplify, progress)[0]
 

@@ -126,7 +126,7 @@ class Mesh:
 
         >>> import tetrarch as tt
         >>> sorted(set(tt.Mesh.read("samples/genus4_ridges.mesh").triangle_tags.tolist()))
-        [1, 2, 3]
+        [1, 2, 3, 4, 5, 6, 7]
         """
         return self._content.array("triangle_tags")
 

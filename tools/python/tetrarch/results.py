@@ -143,7 +143,7 @@ class Result(Record):
 
         >>> import tetrarch as tt
         >>> len(tt.census_gluings(tetrahedra=1).lines)
-        8
+        5
         """
         return self.text.splitlines()
 
