@@ -212,14 +212,6 @@ py::dict skeleton(const Content& content) {
   return made;
 }
 
-/// Of each class of one kind in `before`, what it is in `after`: the way leads through the names in the complex.
-template <class Id, class Before, class After>
-std::vector<int> renamed(int count, const Before& name_before, const After& number_after) {
-  std::vector<int> image(static_cast<std::size_t>(count), -1);
-  for (int k = 0; k < count; ++k) image[static_cast<std::size_t>(k)] = number_after(name_before(Id(k)));
-  return image;
-}
-
 /// The class numbers in the skeleton by the names in the complex.
 template <class NameOf, class NumberOf>
 std::vector<int> numbers_by_name(const Triangulation& tri, int width, const NameOf& name_of, const NumberOf& number_of) {
@@ -240,6 +232,7 @@ int at(const std::vector<int>& list, int index) {
 struct Moved {
   Triangulation tri = Triangulation();
   std::vector<int> tetrahedra, vertices, edges, made;
+  std::vector<std::pair<int, int>> split_vertices, split_edges;
 };
 
 /// One move, and how everything is called after it.
@@ -258,6 +251,8 @@ std::optional<moves::Obstacle> make_move(const Triangulation& tri, const moves::
   if (const auto obstacle = moves::apply(complex, move)) return obstacle;
   const std::vector<int> gone = complex.last_change().removed_tets;
   const std::vector<int> fresh = complex.last_change().new_tets;
+  const auto parted_vertices = complex.last_change().split_vertices;
+  const auto parted_edges = complex.last_change().split_edges;
   const moves::Complex::Renaming names = complex.pack();
   result.tri = complex.triangulation();
   const Skeleton after(result.tri);
@@ -272,6 +267,10 @@ std::optional<moves::Obstacle> make_move(const Triangulation& tri, const moves::
       [&](int t, int e) { return after.edge({t, e}).value; });
   for (const VertexId v : vertices) result.vertices.push_back(at(vertex_numbers, names.vertex[v].value));
   for (const EdgeId e : edges) result.edges.push_back(at(edge_numbers, names.edge[e].value));
+  for (const auto& [whole, part] : parted_vertices)
+    result.split_vertices.emplace_back(at(vertex_numbers, names.vertex[whole].value), at(vertex_numbers, names.vertex[part].value));
+  for (const auto& [whole, part] : parted_edges)
+    result.split_edges.emplace_back(at(edge_numbers, names.edge[whole].value), at(edge_numbers, names.edge[part].value));
   return std::nullopt;
 }
 
@@ -281,7 +280,7 @@ py::tuple moved(const Content& content, const std::string& line) {
   const auto obstacle = unlocked([&] { return make_move(*tri, moves::parse_move(line), result); });
   if (obstacle) return py::make_tuple(moves::to_string(*obstacle), content);
   return py::make_tuple(py::none(), content_of(std::move(result.tri), document_in(content).name), result.tetrahedra,
-                        result.vertices, result.edges, result.made);
+                        result.vertices, result.edges, result.made, result.split_vertices, result.split_edges);
 }
 
 py::list components_of(const Content& content) {

@@ -12,7 +12,7 @@ among threads. Long calls let other threads run and stop at Ctrl-C.
 """
 from __future__ import annotations
 
-from typing import Any, List
+from typing import TYPE_CHECKING, Any, List
 
 from . import commands
 from .census import Census, CensusManifold, census, census_tables
@@ -29,6 +29,15 @@ __all__ = ["AbelianGroup", "Cells", "Census", "CensusManifold", "Cusp", "DirectP
            "FundamentalGroup", "Holonomy", "InputError", "Isometry", "Manifold", "Mesh", "Move", "PreconditionError", "Record",
            "Result", "Skeleton", "SlitMap", "Structure", "SymmetryGroup", "TetrarchError", "TetrarchWarning", "Triangulation",
            "census", "census_tables", "commands", "direct_product", "open_all", "run", "slit_map"]
+
+if TYPE_CHECKING:  # otherwise they are made when they are first asked for
+    from .commands import (bundle, canonize, census_enumerate, census_gluings, census_identify, census_list, census_show,
+                           census_validate, check, convert, embed, group, help, hyperbolize, info, isometric, move, product, register,
+                           simplify, skeleton, slit, subdivide, truncate, view)
+
+    __all__ += ["bundle", "canonize", "census_enumerate", "census_gluings", "census_identify", "census_list", "census_show",
+                "census_validate", "check", "convert", "embed", "group", "help", "hyperbolize", "info", "isometric",
+                "move", "product", "register", "simplify", "skeleton", "slit", "subdivide", "truncate", "view"]
 
 
 def __getattr__(name: str) -> Any:

@@ -58,7 +58,7 @@ def function_name(command: str) -> str:
 
 def keyword_name(option: Dict[str, Any]) -> str:
     """The option -o, --output is the keyword output."""
-    name = max(option["names"], key=len).lstrip("-").replace("-", "_")
+    name: str = max(option["names"], key=len).lstrip("-").replace("-", "_")
     return name + "_" if keyword.iskeyword(name) else name
 
 
@@ -210,8 +210,14 @@ def run(command: str, *arguments: Any, progress: Progress = None, **options: Any
 
 # -- results with documented fields
 
+def field_name(field: Dict[str, Any]) -> str:
+    """The attribute of a field: its name, with an underscore where Python means something else by it."""
+    name: str = field["name"]
+    return name + "_" if keyword.iskeyword(name) else name
+
+
 def _field_doc(field: Dict[str, Any]) -> str:
-    return field["meaning"] + (" (%s)" % field["unit"] if field["unit"] else "")
+    return "%s%s" % (field["meaning"], " (%s)" % field["unit"] if field["unit"] else "")
 
 
 @functools.lru_cache(maxsize=None)
@@ -221,18 +227,17 @@ def _result_class(command: str) -> Any:
     if not fields:
         return Result
 
-    def attribute(field: Dict[str, Any]) -> property:
-        name = field["name"]
-
+    def attribute(name: str, field: Dict[str, Any]) -> property:
         def read(self: Result) -> Any:
             return self.__getattr__(name)
 
         return property(read, doc=_field_doc(field))
 
     taken = set(dir(Result))
-    members: Dict[str, Any] = {field["name"]: attribute(field) for field in fields if field["name"] not in taken}
+    members: Dict[str, Any] = {field_name(field): attribute(field_name(field), field) for field in fields
+                               if field_name(field) not in taken}
     members["__doc__"] = "What `tetrarch %s` found.\n\n" % command + "\n".join(
-        "%s: %s" % (field["name"], _field_doc(field)) for field in fields)
+        "%s: %s" % (field_name(field), _field_doc(field)) for field in fields)
     members["__reduce__"] = lambda self: (_restored, (command, self.__dict__.copy()))
     members["__module__"] = __name__
     return type("".join(word.capitalize() for word in re.split(r"[ -]", command)) + "Result", (Result,), members)
@@ -266,7 +271,7 @@ def annotation_of(option: Dict[str, Any]) -> str:
     elif option["value"] in _CONTENT_OPTIONS:
         return "Any"
     else:
-        kind = {"INT": "int", "UINT": "int", "FLOAT": "float"}.get(option["value"], "Union[Text, Sequence[int]]")
+        kind = {"INT": "int", "UINT": "int", "FLOAT": "float"}.get(option["value"], "Word")
     if option["optional_value"]:
         kind = "Union[bool, %s]" % kind
     if option["repeats"] or option["words"] > 1:
@@ -285,7 +290,9 @@ def signature_of(command: Dict[str, Any]) -> inspect.Signature:
             parameters.append(kind(argument["name"], kind.POSITIONAL_ONLY, default=kind.empty if argument["required"] else None))
     for name, option in _options(command).items():
         default = kind.empty if option["required"] else _default_of(option)
-        parameters.append(kind(name, kind.KEYWORD_ONLY, default=default))
+        leads = option["required"] and not command["arguments"]
+        parameters.append(kind(name, kind.POSITIONAL_OR_KEYWORD if leads else kind.KEYWORD_ONLY, default=default))
+    parameters.sort(key=lambda parameter: parameter.kind)
     parameters.append(kind("progress", kind.KEYWORD_ONLY, default=None))
     return inspect.Signature(parameters)
 
@@ -320,14 +327,14 @@ def _documentation(command: Dict[str, Any]) -> str:
         lines.append("%s: %s" % (name, option["help"]))
     lines += ["", "Returns a Result; see `run` for what may stand for an argument."]
     for field in command.get("result") or []:
-        lines.append("    .%s: %s" % (field["name"], _field_doc(field)))
+        lines.append("    .%s: %s" % (field_name(field), _field_doc(field)))
     lines += ["", ">>> import tetrarch as tt", ">>> result = " + example_of(command), ">>> isinstance(result, tt.Result)", "True"]
     return "\n".join(lines)
 
 
 def _missing(signature: inspect.Signature, options: Dict[str, Any]) -> Optional[str]:
     for name, parameter in signature.parameters.items():
-        if parameter.kind is parameter.KEYWORD_ONLY and parameter.default is parameter.empty and name not in options:
+        if parameter.kind in (parameter.KEYWORD_ONLY, parameter.POSITIONAL_OR_KEYWORD) and parameter.default is parameter.empty and name not in options:
             return name
     return None
 
@@ -337,7 +344,13 @@ def function(command: str) -> Callable[..., Any]:
     """The function of a command. `tetrarch.NAME` is the same."""
     entry = _commands()[command]
 
+    # census_enumerate(3): where there are no arguments, what is required may stand for one.
+    leading = [] if entry["arguments"] else [name for name, option in _options(entry).items() if option["required"]]
+
     def twin(*arguments: Any, progress: Progress = None, **options: Any) -> Any:
+        for name in leading[:len(arguments)]:
+            if name not in options:
+                options[name], arguments = arguments[0], arguments[1:]
         missing = _missing(signature, options)
         if missing is not None:
             raise TypeError("%s needs the option %s (%s)" % (command, missing, _options(entry)[missing]["help"]))

@@ -3,11 +3,16 @@
 from __future__ import annotations
 
 import os
+import sys
 import warnings
-from typing import Any, List, Optional, Tuple
+from typing import TYPE_CHECKING, Any, List, Optional, Tuple, Union
 
 from . import _tetrarch
 from .errors import InputError
+
+if TYPE_CHECKING:
+    #: What stands for a text: a name, a number in one, a path.
+    Text = Union[str, int, float, "os.PathLike[str]"]
 
 # VTK's numbers of cells.
 _TRIANGLE, _TETRAHEDRON = 5, 10
@@ -173,6 +178,12 @@ def triangulation_of(given: Any, weld: Optional[float], component: Optional[int]
     return content, content.name or "<value>"
 
 
-def warn(messages: List[str], level: int = 3) -> None:
+def warn(messages: List[str]) -> None:
+    """Warns at the line outside of the package that led here."""
+    if not messages:
+        return
+    frame, level = sys._getframe(1), 2
+    while frame.f_back is not None and frame.f_globals.get("__name__", "").split(".")[0] == __package__:
+        frame, level = frame.f_back, level + 1
     for message in messages:
-        warnings.warn(message, TetrarchWarning, stacklevel=level + 1)
+        warnings.warn(message, TetrarchWarning, stacklevel=level)

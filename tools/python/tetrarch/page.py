@@ -14,7 +14,8 @@ def text(command: str, *arguments: Any, **options: Any) -> str:
 
     with tempfile.TemporaryDirectory() as folder:
         path = os.path.join(folder, "page.html")
-        run(command, *arguments, **{**options, "output": path, "progress": False})
+        options["output"] = path
+        run(command, *arguments, progress=False, **options)
         with open(path, encoding="utf-8") as file:
             return file.read()
 

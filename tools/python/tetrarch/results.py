@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import keyword
 from typing import Any, Dict, Iterator, List, Optional, Tuple
 
 __all__ = ["Record", "Result"]
@@ -55,6 +56,8 @@ class Record:
         if name.startswith("__"):
             raise AttributeError(name)
         fields = self.__dict__.get("_fields", {})
+        if name.endswith("_") and keyword.iskeyword(name[:-1]):  # from_ is the field from
+            name = name[:-1]
         if name not in fields:
             raise AttributeError("%s has no %r (it has: %s)" % (type(self).__name__, name, ", ".join(fields)))
         return _wrapped(fields[name])
@@ -90,7 +93,7 @@ class Record:
         return _restored, (type(self), self.__dict__.copy())
 
 
-def _restored(kind: type, state: Dict[str, Any]) -> Any:
+def _restored(kind: Any, state: Dict[str, Any]) -> Any:
     record = kind.__new__(kind)
     record.__dict__.update(state)
     return record

@@ -117,7 +117,7 @@ class Gluings:
         classes = _tetrarch.skeleton(self._content)
         permutations = classes["permutations"].reshape(-1, 4, 4).tolist()
         neighbors = classes["neighbors"].tolist()
-        return [[None if other < 0 else (other, tuple(permutation)) for other, permutation in zip(*row)]
+        return [[None if other < 0 else (other, tuple(permutation)) for other, permutation in zip(*row)]  # type: ignore[misc]
                 for row in zip(neighbors, permutations)]
 
     def skeleton(self) -> "Skeleton":
@@ -313,18 +313,23 @@ class Move:
     edges: List[int]
     #: the numbers of tetrahedra that were not there before
     new_tetrahedra: List[int]
+    #: where a vertex class became two: (what `vertices` says, the other part), in new numbers
+    split_vertices: List[Tuple[int, int]]
+    #: likewise of edges
+    split_edges: List[Tuple[int, int]]
 
     def __init__(self, made: Tuple[Any, ...]) -> None:
         self.obstacle = made[0]
         self.triangulation = Triangulation._of(made[1])
         if self.obstacle is None:
-            self.tetrahedra, self.vertices, self.edges, self.new_tetrahedra = made[2:]
+            self.tetrahedra, self.vertices, self.edges, self.new_tetrahedra = made[2:6]
+            self.split_vertices, self.split_edges = made[6:]
             return
         skeleton = self.triangulation.skeleton()
         self.tetrahedra = list(range(len(self.triangulation)))
         self.vertices = list(range(skeleton.num_vertices))
         self.edges = list(range(skeleton.num_edges))
-        self.new_tetrahedra = []
+        self.new_tetrahedra, self.split_vertices, self.split_edges = [], [], []
 
     def __bool__(self) -> bool:
         return self.obstacle is None
