@@ -8,7 +8,7 @@ import math
 from typing import Any, Dict, Iterator, List, Optional, Sequence, Tuple, Union, overload
 
 from . import _tetrarch
-from .errors import InputError
+from .errors import InputError, shown
 from .groups import AbelianGroup
 from .manifold import Manifold
 from .results import Record
@@ -66,10 +66,10 @@ def _bounds(given: Any, name: str) -> Tuple[float, float]:
         low = high = given
     try:
         bounds = (-math.inf if low is None else float(low), math.inf if high is None else float(high))
-    except (TypeError, ValueError):
-        raise InputError("%s is %.60r (expected a number, or a pair of numbers)" % (name, given)) from None
+    except (TypeError, ValueError, OverflowError):
+        raise InputError("%s is %s (expected a number, or a pair of numbers)" % (name, shown(given))) from None
     if math.isnan(bounds[0]) or math.isnan(bounds[1]):
-        raise InputError("%s is %.60r, which is no number" % (name, given))
+        raise InputError("%s is %s, which is no number" % (name, shown(given)))
     return bounds
 
 

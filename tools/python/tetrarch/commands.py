@@ -11,11 +11,12 @@ import functools
 import inspect
 import json
 import keyword
+import operator
 import re
 from typing import Any, Callable, Dict, List, Optional, Tuple
 
 from . import _tetrarch
-from .errors import InputError, PreconditionError
+from .errors import InputError, PreconditionError, shown
 from .groups import FundamentalGroup
 from .inputs import _is_array, content_of, is_text, text_of
 from .progress import Progress, reporting
@@ -71,10 +72,16 @@ def _options(command: Dict[str, Any]) -> Dict[str, Dict[str, Any]]:
 def _number_text(value: Any) -> Optional[str]:
     if isinstance(value, (int, float)):
         return repr(value)
-    for convert in ("__index__", "__float__"):
-        if hasattr(value, convert) and getattr(value, "shape", ()) == ():
-            return repr(int(value) if convert == "__index__" else float(value))
-    return None
+    if getattr(value, "shape", None) != ():
+        return None
+    try:  # a number of NumPy's
+        return repr(operator.index(value))
+    except TypeError:
+        pass
+    try:
+        return repr(float(value))
+    except (TypeError, ValueError, OverflowError):
+        return None
 
 
 def _word(value: Any, name: str) -> str:
@@ -101,7 +108,7 @@ def _option_words(name: str, option: Dict[str, Any], value: Any, values: Dict[st
         return []
     if option["value"] is None:
         if value is not True:
-            raise InputError("%s is %.40r (expected True or False)" % (name, value))
+            raise InputError("%s is %s (expected True or False)" % (name, shown(value)))
         return [spelled]
     if value is True:
         if not option["optional_value"]:
@@ -113,7 +120,7 @@ def _option_words(name: str, option: Dict[str, Any], value: Any, values: Dict[st
         return ["%s=%s" % (spelled, key)]
     if option["words"] > 1:
         if not _is_list(value) or len(value) != option["words"]:
-            raise InputError("%s is %.40r (expected %d values)" % (name, value, option["words"]))
+            raise InputError("%s is %s (expected %d values)" % (name, shown(value), option["words"]))
         return [spelled, *(_word(item, name) for item in value)]
     if option["repeats"] and _is_list(value):
         return ["%s=%s" % (spelled, _joined(item, name)) for item in value]
@@ -142,7 +149,7 @@ def _argument_words(arguments: List[Dict[str, Any]], given: Tuple[Any, ...], val
             values[key] = content_of(value, key)
             words.append(key)
     if waiting:
-        raise TypeError("there is an argument too many: %.60r" % (waiting[0],))
+        raise TypeError("there is an argument too many: %s" % shown(waiting[0]))
     return words
 
 
@@ -185,7 +192,7 @@ def run(command: str, *arguments: Any, progress: Progress = None, **options: Any
     known = _commands()
     if not isinstance(command, str) or command not in known:
         near = difflib.get_close_matches(str(command), list(known), 1)
-        raise InputError("unknown command %.60r%s" % (command, " (did you mean %r?)" % near[0] if near else ""))
+        raise InputError("unknown command %s%s" % (shown(command), " (did you mean %r?)" % near[0] if near else ""))
     if command in NOT_IN_PYTHON:
         raise PreconditionError("%s is no function: %s" % (command, NOT_IN_PYTHON[command]))
     entry = known[command]

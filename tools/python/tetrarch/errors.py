@@ -2,7 +2,7 @@
 """What is raised: bad data and bad calls. A mathematical no is a value, never an exception."""
 from __future__ import annotations
 
-from typing import Optional
+from typing import Any, Optional
 
 from . import _tetrarch
 
@@ -27,6 +27,12 @@ class TetrarchError(ValueError):
         self.file = file
         #: the line of that file, from 1; None: no line
         self.line = line
+
+
+def shown(value: Any) -> str:
+    """A value as it may stand in an error: one short line."""
+    text = repr(value) if isinstance(value, (str, int, float, bytes)) else " ".join(repr(value).split())
+    return text if len(text) <= 60 else text[:57] + "..."
 
 
 class InputError(TetrarchError):

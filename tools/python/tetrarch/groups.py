@@ -6,7 +6,7 @@ import math
 import re
 from typing import Any, Iterable, List, Optional, Sequence, Tuple, Union
 
-from .errors import InputError
+from .errors import InputError, shown
 
 __all__ = ["AbelianGroup", "FundamentalGroup"]
 
@@ -37,7 +37,7 @@ class AbelianGroup:
         if isinstance(rank, str):
             rank, torsion = _parsed(rank)
         if isinstance(rank, bool) or not isinstance(rank, int) or rank < 0:
-            raise InputError("the rank of an abelian group is %r (expected an integer from 0)" % (rank,))
+            raise InputError("the rank of an abelian group is %s (expected an integer from 0)" % shown(rank))
         object.__setattr__(self, "rank", rank)
         object.__setattr__(self, "torsion", _invariant_factors(torsion))
 
@@ -114,7 +114,7 @@ def _parsed(text: str) -> Tuple[int, List[int]]:
     for part in text.replace(" ", "").split("+"):
         match = re.fullmatch(r"(0)|Z(?:\^(\d{1,6})|/(\d{1,4000}))?", part)
         if match is None:
-            raise InputError("%r is no abelian group (expected a text such as Z^2 + Z/3)" % text[:80])
+            raise InputError("%s is no abelian group (expected a text such as Z^2 + Z/3)" % shown(text))
         if match[3]:
             torsion.append(int(match[3]))
         elif not match[1]:
@@ -126,7 +126,7 @@ def _invariant_factors(orders: Iterable[int]) -> Tuple[int, ...]:
     factors: List[int] = []
     for order in orders:
         if isinstance(order, bool) or not isinstance(order, int) or order < 1:
-            raise InputError("a cyclic group has the order %r (expected an integer from 1)" % (order,))
+            raise InputError("a cyclic group has the order %s (expected an integer from 1)" % shown(order))
         for k, factor in enumerate(factors):
             factors[k], order = math.gcd(factor, order), math.lcm(factor, order)
         factors.append(order)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any, Dict, List, Optional, Sequence, Tuple, Union, overload
 
 from . import _tetrarch
-from .errors import InputError, PreconditionError
+from .errors import InputError, PreconditionError, shown
 from .groups import FundamentalGroup
 from .inputs import triangulation_of, warn
 from .progress import Progress, reporting
@@ -362,7 +362,7 @@ class Holonomy:
             if isinstance(letter, str):
                 letter = letters.get(letter, -letters.get(letter.lower(), 0))
             if not 1 <= abs(letter) <= self.group.num_generators():
-                raise InputError("%.40r is no word in the %d generators" % (word, self.group.num_generators()))
+                raise InputError("%s is no word in the %d generators" % (shown(word), self.group.num_generators()))
             matrix = self.SO31[abs(letter) - 1]
             product = product @ (matrix if letter > 0 else form @ matrix.T @ form)
         return product
@@ -472,7 +472,7 @@ class Manifold(Gluings):
         if usual and self._structure is not None:
             return self._structure
         if method not in ("newton", "flow"):
-            raise InputError("method is %.40r (expected newton or flow)" % (method,))
+            raise InputError("method is %s (expected newton or flow)" % shown(method))
         count = _integer(attempts, "attempts")
         if count < 1:
             raise InputError("attempts is %d (expected 1 at least)" % count)

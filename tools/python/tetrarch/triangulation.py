@@ -6,7 +6,7 @@ import os
 from typing import TYPE_CHECKING, Any, Iterable, List, Optional, Sequence, Tuple, Type, TypeVar, Union
 
 from . import _tetrarch
-from .errors import InputError
+from .errors import InputError, shown
 from .groups import AbelianGroup, FundamentalGroup
 from .inputs import is_text, text_of, triangulation_of, warn
 from .progress import Progress, reporting
@@ -217,17 +217,17 @@ class Gluings:
         Gluings.__init__(self, state["_content"])
 
     def __repr__(self) -> str:
-        shown = self.name()
-        if not shown:
-            shown = self.isoSig() if len(self) <= 1000 else "%d tetrahedra" % len(self)
-        return "%s(%r)" % (type(self).__name__, shown if len(shown) <= 60 else shown[:57] + "...")
+        called = self.name()
+        if not called:
+            called = self.isoSig() if len(self) <= 1000 else "%d tetrahedra" % len(self)
+        return "%s(%r)" % (type(self).__name__, called if len(called) <= 60 else called[:57] + "...")
 
 
 def _integer(value: Any, name: str) -> int:
     try:
         number = int(value.__index__())
     except (AttributeError, TypeError):
-        raise InputError("%s is %.60r (expected an integer)" % (name, value)) from None
+        raise InputError("%s is %s (expected an integer)" % (name, shown(value))) from None
     if not -2**31 <= number < 2**31:
         raise InputError("%s is %d, which is too large" % (name, number))
     return number
@@ -237,7 +237,7 @@ def _seed(value: Any) -> int:
     try:
         number = int(value.__index__())
     except (AttributeError, TypeError):
-        raise InputError("seed is %.60r (expected an integer)" % (value,)) from None
+        raise InputError("seed is %s (expected an integer)" % shown(value)) from None
     if not 0 <= number < 2**64:
         raise InputError("seed is %d (expected 0 to 2^64 - 1)" % number)
     return number
