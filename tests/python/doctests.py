@@ -40,6 +40,15 @@ def everything():
         yield "commands." + name, getattr(tt.commands, name)
 
 
+GUIDE = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "tools", "guide", "python.md")
+
+
+def guide():
+    """The page, which is one session."""
+    with open(GUIDE, encoding="utf-8") as file:
+        return file.read()
+
+
 def main(wanted):
     finder, runner = doctest.DocTestFinder(recurse=False), doctest.DocTestRunner()
     seen, failures, count = set(), [], 0
@@ -61,6 +70,11 @@ def main(wanted):
             count += len(test.examples)
             if runner.run(test).failed:
                 failures.append("%s: an example fails" % name)
+        if not wanted:
+            test = doctest.DocTestParser().get_doctest(guide(), {"__name__": "__main__"}, "guide", GUIDE, 0)
+            count += len(test.examples)
+            if runner.run(test).failed:
+                failures.append("python.md: an example fails")
         os.chdir("/")
     for failure in failures:
         print(failure)
