@@ -480,6 +480,7 @@ class Manners(unittest.TestCase):
         child.send_signal(signal.SIGINT)
         _, errors = child.communicate(timeout=60)
         self.assertIn("KeyboardInterrupt", errors)
+        self.assertEqual(child.returncode, -signal.SIGINT)  # as Python ends, and no crash while it does
         return time.monotonic() - start
 
     def test_ctrl_c(self):
@@ -606,6 +607,30 @@ class BesideRegina(unittest.TestCase):
             self.assertEqual(M.homology().rank, theirs.homology().rank())
             self.assertEqual(list(M.homology().torsion), [int(str(theirs.homology().invariantFactor(k))) for k in
                                                           range(theirs.homology().countInvariantFactors())])
+
+    def test_every_tenth_of_the_censuses(self):
+        """Signatures, homology and, of cusped manifolds, the volumes of SnapPea's kernel; objects go both ways."""
+        import regina
+
+        compared = 0
+        for census in ("cusped-hyp-or-census", "cusped-hyp-nor-census", "closed-or-census"):
+            path = "/usr/share/regina-normal/examples/%s.rga" % census
+            if not os.path.exists(path):
+                self.skipTest("Regina's examples are not installed")
+            packets = [p for p in regina.open(path).descendants() if isinstance(p, regina.PacketOfTriangulation3)]
+            for theirs in packets[::10]:
+                with self.subTest(census=census, manifold=theirs.label()):
+                    M = tt.Manifold(theirs)
+                    self.assertEqual(M.isoSig(), theirs.isoSig())
+                    group = theirs.homology()
+                    self.assertEqual((M.homology().rank, list(M.homology().torsion)), (group.rank(), [
+                        int(str(group.invariantFactor(k))) for k in range(group.countInvariantFactors())]))
+                    back = regina.Triangulation3.fromSnapPea(M.snapPea())
+                    self.assertEqual(back.detail(), regina.Triangulation3(theirs).detail())
+                    if census.startswith("cusped"):
+                        self.assertAlmostEqual(M.volume(), regina.SnapPeaTriangulation(theirs.snapPea()).volume(), places=8)
+                    compared += 1
+        self.assertGreater(compared, 2800)
 
     def test_symmetries_of_the_canonical_triangulation(self):
         import regina

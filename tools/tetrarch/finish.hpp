@@ -11,10 +11,12 @@
 
 namespace tetrarch::program {
 
-/// Adds what was passed over by those who read for it. A result that holds a number that is none is undecided.
+/// Adds what was passed over by those who read for it. A result that holds a number that is none is
+/// undecided.
 void finish(Result& result, const Reads& reads);
 
-/// One file cannot hold two results: throws InputError. `paths` are those of earlier ones, to which these are added.
+/// One file cannot hold two results: throws InputError. `paths` are those of earlier ones, to which these are
+/// added.
 void require_different(const std::vector<Result::File>& files, std::set<std::filesystem::path>& paths);
 
 } // namespace tetrarch::program

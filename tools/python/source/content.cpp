@@ -46,18 +46,20 @@ py::array array_from(const py::object& given, const std::string& name) {
   return array;
 }
 
-void require_kind(const py::array& array, const std::string& kinds, const std::string& name, const char* expected) {
+void require_kind(const py::array& array, const std::string& kinds, const std::string& name,
+                  const char* expected) {
   const char kind = array.dtype().kind();
   if (kinds.find(kind) == std::string::npos)
     refuse(name + ": an array of " + std::string(py::str(array.dtype())) + " (expected " + expected + ")");
 }
 
-/// Copies the rows of any array of numbers, whatever its order in memory. A copy in double precision is made on the way only where
-/// the numbers are of another type.
+/// Copies the rows of any array of numbers, whatever its order in memory. A copy in double precision is made
+/// on the way only where the numbers are of another type.
 std::vector<std::array<double, 3>> points_from(const py::object& given, const std::string& name) {
   const py::array array = array_from(given, name);
   if (array.ndim() != 2 || (array.shape(1) != 2 && array.shape(1) != 3))
-    refuse(name + ": an array of shape " + shape_of(array) + " (expected (n, 3), or (n, 2) for points of a plane)");
+    refuse(name + ": an array of shape " + shape_of(array) +
+           " (expected (n, 3), or (n, 2) for points of a plane)");
   require_kind(array, "fiu", name, "real numbers");
   if (array.shape(0) > std::numeric_limits<int>::max()) refuse(name + ": more than 2147483647 points");
   const auto numbers = py::array_t<double>::ensure(array);
@@ -102,7 +104,8 @@ std::vector<std::array<int, width>> indices_from(const py::object& given, const 
   const py::array array = array_from(given, name);
   if (array.size() == 0) return rows;
   if (array.ndim() != 2 || array.shape(1) != length(width))
-    refuse(name + ": an array of shape " + shape_of(array) + " (expected (m, " + std::to_string(width) + "))");
+    refuse(name + ": an array of shape " + shape_of(array) + " (expected (m, " + std::to_string(width) +
+           "))");
   require_integers(array, name);
   if (array.shape(0) > std::numeric_limits<int>::max() / 4) refuse(name + ": more than 536870911 rows");
   rows.resize(static_cast<std::size_t>(array.shape(0)));
@@ -131,7 +134,8 @@ std::vector<int> tags_from(const py::object& given, const std::string& name, std
 }
 
 Content mesh_from_arrays(const py::object& points, const py::object& triangles, const py::object& tetrahedra,
-                         const py::object& triangle_tags, const py::object& tetrahedron_tags, const std::string& source) {
+                         const py::object& triangle_tags, const py::object& tetrahedron_tags,
+                         const std::string& source) {
   format::Soup soup;
   soup.source = source;
   soup.points = points_from(points, "points");
@@ -146,7 +150,8 @@ Perm4 perm_from(const py::handle& given) {
   const auto images = py::cast<std::array<int, 4>>(given);
   int seen = 0;
   for (const int i : images) {
-    if (i < 0 || i > 3) refuse("gluings: a permutation has the image " + std::to_string(i) + " (expected 0 to 3)");
+    if (i < 0 || i > 3)
+      refuse("gluings: a permutation has the image " + std::to_string(i) + " (expected 0 to 3)");
     seen |= 1 << i;
   }
   if (seen != 15) refuse("gluings: a permutation has an image twice");
@@ -160,8 +165,9 @@ Content triangulation_from_gluings(const py::sequence& rows, const std::string& 
   Triangulation tri(static_cast<int>(rows.size()));
   for (int t = 0; t < tri.size(); ++t) {
     const py::sequence faces = rows[static_cast<std::size_t>(t)];
-    if (faces.size() != 4) refuse("gluings: tetrahedron " + std::to_string(t) + " has " + std::to_string(faces.size()) +
-                                  " faces (expected 4)");
+    if (faces.size() != 4)
+      refuse("gluings: tetrahedron " + std::to_string(t) + " has " + std::to_string(faces.size()) +
+             " faces (expected 4)");
     for (int f = 0; f < 4; ++f) {
       const py::object face = faces[static_cast<std::size_t>(f)];
       if (face.is_none()) continue;
@@ -170,8 +176,8 @@ Content triangulation_from_gluings(const py::sequence& rows, const std::string& 
       const auto other = py::cast<long long>(gluing[0]);
       const Perm4 perm = perm_from(gluing[1]);
       if (other < 0 || other >= tri.size())
-        refuse("gluings: tetrahedron " + std::to_string(t) + " is glued to " + std::to_string(other) + " (there are " +
-               std::to_string(tri.size()) + ")");
+        refuse("gluings: tetrahedron " + std::to_string(t) + " is glued to " + std::to_string(other) +
+               " (there are " + std::to_string(tri.size()) + ")");
       const TetFace here{t, f};
       if (tri.is_boundary(here))
         tri.glue(here, static_cast<int>(other), perm);
@@ -199,16 +205,18 @@ auto opened(bool quick, const py::object& report, const Job& job) {
   return interruptible(report, job);
 }
 
-Content open_triangulation(const std::string& text, std::optional<double> weld, std::optional<int> component, bool repair,
-                           const py::object& report) {
-  return opened(is_quick(text), report, [text, options = open_options(weld, component, repair)](const Progress& progress) {
-    return content_of(workshop::open_triangulation(text, options, progress));
-  });
+Content open_triangulation(const std::string& text, std::optional<double> weld, std::optional<int> component,
+                           bool repair, const py::object& report) {
+  return opened(is_quick(text), report,
+                [text, options = open_options(weld, component, repair)](const Progress& progress) {
+                  return content_of(workshop::open_triangulation(text, options, progress));
+                });
 }
 
 Content open_any(const std::string& text, const py::object& report) {
   return opened(is_quick(text), report, [text](const Progress&) {
-    return Content{std::make_shared<const workshop::Content>(workshop::open(text, open_options({}, {}, false)))};
+    return Content{
+        std::make_shared<const workshop::Content>(workshop::open(text, open_options({}, {}, false)))};
   });
 }
 
@@ -219,13 +227,13 @@ Content open_mesh(const std::string& text, const py::object& report) {
   });
 }
 
-Content triangulated(const Content& content, std::optional<double> weld, std::optional<int> component, bool repair,
-                     const std::string& name, const py::object& report) {
+Content triangulated(const Content& content, std::optional<double> weld, std::optional<int> component,
+                     bool repair, const std::string& name, const py::object& report) {
   if (std::holds_alternative<format::Document>(*content.value)) return content;
-  return interruptible(report,
-                       [value = content.value, name, doctor = workshop::Doctor{weld, component, repair}](const Progress& p) {
-                         return content_of(workshop::triangulation_of(name, *value, doctor, p));
-                       });
+  return interruptible(report, [value = content.value, name,
+                                doctor = workshop::Doctor{weld, component, repair}](const Progress& p) {
+    return content_of(workshop::triangulation_of(name, *value, doctor, p));
+  });
 }
 
 py::object array_of(const Content& content, const std::string& which) {
@@ -240,7 +248,9 @@ py::object array_of(const Content& content, const std::string& which) {
   if (which == "triangles") return rows(mesh.soup.triangles);
   if (which == "tetrahedra") return rows(mesh.soup.tetrahedra);
   if (which == "hexahedra") return rows(mesh.hexahedra);
-  const auto tags = [&](const std::vector<int>& list) { return view<int>(list.data(), {length(list.size())}, content.value); };
+  const auto tags = [&](const std::vector<int>& list) {
+    return view<int>(list.data(), {length(list.size())}, content.value);
+  };
   return which == "triangle_tags" ? tags(mesh.soup.triangle_tags) : tags(mesh.soup.tetrahedron_tags);
 }
 
@@ -272,12 +282,14 @@ py::list fields_of(const Content& content) {
                                                                                  : 1;
     if (corners > 1) shape = {shape[0] / corners, corners};
     if (field.components > 1) shape.push_back(field.components);
-    list.append(py::make_tuple(field.name, name_of(field.on), view<double>(field.values.data(), shape, content.value)));
+    list.append(py::make_tuple(field.name, name_of(field.on),
+                               view<double>(field.values.data(), shape, content.value)));
   }
   return list;
 }
 
-/// The per-vertex numbers of a field at the corners of triangles: of each vertex those at the last of its corners.
+/// The per-vertex numbers of a field at the corners of triangles: of each vertex those at the last of its
+/// corners.
 py::object at_vertices(const Content& content, const std::string& name) {
   const MeshDocument& mesh = mesh_in(content);
   const MeshField* const field = format::find_field(mesh, name);
@@ -287,7 +299,8 @@ py::object at_vertices(const Content& content, const std::string& name) {
   for (std::size_t t = 0; t < mesh.soup.triangles.size(); ++t)
     for (std::size_t c = 0; c < 3; ++c)
       for (std::size_t k = 0; k < width; ++k)
-        values[static_cast<std::size_t>(mesh.soup.triangles[t][c]) * width + k] = field->values[(3 * t + c) * width + k];
+        values[static_cast<std::size_t>(mesh.soup.triangles[t][c]) * width + k] =
+            field->values[(3 * t + c) * width + k];
   return owned(std::move(values), {length(mesh.soup.points.size()), length(width)});
 }
 
@@ -301,14 +314,16 @@ std::string written(const Content& content, const std::string& format) {
 /// What pickles keep: the text of a file.
 std::string text_of(const Content& content) {
   if (const auto* const mesh = std::get_if<MeshDocument>(content.value.get())) return write_mesh_json(*mesh);
-  if (const auto* const group = std::get_if<format::GroupDocument>(content.value.get())) return write_group_json(*group);
+  if (const auto* const group = std::get_if<format::GroupDocument>(content.value.get()))
+    return write_group_json(*group);
   return format::write_json(document_in(content));
 }
 
 /// The content of a file: JSON of any kind, or a triangulation in any other format.
 Content content_from(const std::string& text) {
   return unlocked([&] {
-    if (text.starts_with("{")) return Content{std::make_shared<const workshop::Content>(workshop::open(text))};
+    if (text.starts_with("{"))
+      return Content{std::make_shared<const workshop::Content>(workshop::open(text))};
     return content_of(format::read_any(text, "<text>"));
   });
 }
@@ -371,9 +386,11 @@ void bind_content(py::module_& module) {
       .def("group", group_in)
       .def("at_vertices", at_vertices)
       .def("written", written)
-      .def("signature", [](const Content& c) { return unlocked([&] { return signature(document_in(c).triangulation); }); })
+      .def("signature",
+           [](const Content& c) { return unlocked([&] { return signature(document_in(c).triangulation); }); })
       .def_property_readonly("size", [](const Content& c) { return document_in(c).triangulation.size(); })
-      .def(py::pickle([](const Content& c) { return text_of(c); }, [](const std::string& text) { return content_from(text); }));
+      .def(py::pickle([](const Content& c) { return text_of(c); },
+                      [](const std::string& text) { return content_from(text); }));
   module.def("content_from", content_from);
   module.def("mesh_from_arrays", mesh_from_arrays);
   module.def("triangulation_from_gluings", triangulation_from_gluings);

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
-/// What Python's objects are made of: a triangulation, mesh or group that never changes, and arrays that look into it.
+/// What Python's objects are made of: a triangulation, mesh or group that never changes, and arrays that look
+/// into it.
 
 #include "tetrarch/workshop/open.hpp"
 #include "tetrarch/workshop/tree.hpp"

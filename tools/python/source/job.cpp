@@ -26,7 +26,8 @@ public:
   void run() {
     std::exception_ptr error;
     try {
-      work_(Progress([this](std::string_view stage, double fraction) { note(stage, fraction); }, stop_.get_token()));
+      work_(Progress([this](std::string_view stage, double fraction) { note(stage, fraction); },
+                     stop_.get_token()));
     } catch (...) {
       error = std::current_exception();
     }

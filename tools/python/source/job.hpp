@@ -6,9 +6,10 @@
 ///     caller   start work --+-- look at signals, tell progress, every 50 ms --+-- result or exception
 ///     worker                +-- work(progress) .............................. done
 ///
-/// The work runs on a thread of its own, so that the caller can look at signals, which Python's main thread alone may do, however
-/// rarely the work looks at its stop token. What the caller's Python functions (signal handlers, the progress callback) throw stops
-/// the work and comes out of the call. Workers wait for more work; a child after fork() has none and makes its own.
+/// The work runs on a thread of its own, so that the caller can look at signals, which Python's main thread
+/// alone may do, however rarely the work looks at its stop token. What the caller's Python functions (signal
+/// handlers, the progress callback) throw stops the work and comes out of the call. Workers wait for more
+/// work; a child after fork() has none and makes its own.
 
 #include "tetrarch/core/progress.hpp"
 
@@ -22,9 +23,9 @@ namespace tetrarch::python {
 
 namespace py = pybind11;
 
-/// Runs `work` and waits for it. `report` is None or called with (stage, fraction done or None) on the calling thread. The work must
-/// own all that it uses: where it does not stop within a second after it was asked to, it is left alone. Called with the lock held;
-/// the work itself does not have it.
+/// Runs `work` and waits for it. `report` is None or called with (stage, fraction done or None) on the
+/// calling thread. The work must own all that it uses: where it does not stop within a second after it was
+/// asked to, it is left alone. Called with the lock held; the work itself does not have it.
 void run_work(std::function<void(const Progress&)> work, const py::object& report);
 
 /// The same of a function with a result.
@@ -32,7 +33,9 @@ template <class Function>
 auto interruptible(const py::object& report, Function function) {
   using Result = decltype(function(std::declval<const Progress&>()));
   const auto result = std::make_shared<std::optional<Result>>();
-  run_work([result, function = std::move(function)](const Progress& progress) { result->emplace(function(progress)); }, report);
+  run_work([result, function = std::move(function)](
+               const Progress& progress) { result->emplace(function(progress)); },
+           report);
   return std::move(**result);
 }
 

@@ -25,9 +25,11 @@ void set_error_types(const py::object& input, const py::object& precondition) {
 
 void raise(const py::handle& type, const std::string& message, const std::string& file = {}, int line = 0) {
   constexpr std::size_t most = 1000; // a file's name may be longer than anybody reads
-  const std::string line_of_text = printable(message.size() <= most ? message : message.substr(0, most) + " ...");
-  const py::object error = type(line_of_text, file.empty() ? py::object(py::none()) : py::object(py::str(printable(file))),
-                                line > 0 ? py::object(py::int_(line)) : py::object(py::none()));
+  const std::string line_of_text =
+      printable(message.size() <= most ? message : message.substr(0, most) + " ...");
+  const py::object error =
+      type(line_of_text, file.empty() ? py::object(py::none()) : py::object(py::str(printable(file))),
+           line > 0 ? py::object(py::int_(line)) : py::object(py::none()));
   PyErr_SetObject(type.ptr(), error.ptr());
 }
 

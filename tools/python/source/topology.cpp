@@ -47,15 +47,18 @@ void require_manifold(const Content& content, const std::string& name) {
 
 // -- structures
 
-/// Up to so many tetrahedra Newton's method takes well below a millisecond, less than another thread takes to wake.
+/// Up to so many tetrahedra Newton's method takes well below a millisecond, less than another thread takes to
+/// wake.
 constexpr int most_at_once = 12;
 
 Solved solved(Structure found) {
   return {std::make_shared<const Structure>(std::move(found))};
 }
 
-/// First on the given triangulation, as the search itself does. That is all for most, and is done on this thread where it is short.
-Solved structure(const Content& content, bool flow, bool as_given, int attempts, std::uint64_t seed, const py::object& report) {
+/// First on the given triangulation, as the search itself does. That is all for most, and is done on this
+/// thread where it is short.
+Solved structure(const Content& content, bool flow, bool as_given, int attempts, std::uint64_t seed,
+                 const py::object& report) {
   const auto tri = triangulation_in(content);
   workshop::StructureOptions how;
   how.method = flow ? hyperbolic::Method::flow : hyperbolic::Method::newton;
@@ -68,7 +71,9 @@ Solved structure(const Content& content, bool flow, bool as_given, int attempts,
     Solved found = unlocked([&] { return solved(workshop::structure(*tri, once)); });
     if (as_given || found.value->verdict() == workshop::Verdict::yes) return found;
   }
-  return interruptible(report, [tri, how](const Progress& progress) { return solved(workshop::structure(*tri, how, progress)); });
+  return interruptible(report, [tri, how](const Progress& progress) {
+    return solved(workshop::structure(*tri, how, progress));
+  });
 }
 
 bool is_found(const Solved& s) {
@@ -105,7 +110,8 @@ workshop::CanonicalOptions canonical_options(int attempts, std::uint64_t seed) {
 }
 
 Canonized cells(const Content& content, int attempts, std::uint64_t seed, const py::object& report) {
-  return interruptible(report, [tri = triangulation_in(content), how = canonical_options(attempts, seed)](const Progress& progress) {
+  return interruptible(report, [tri = triangulation_in(content),
+                                how = canonical_options(attempts, seed)](const Progress& progress) {
     return Canonized{std::make_shared<const Cells>(workshop::cells(*tri, how, progress))};
   });
 }
@@ -123,7 +129,8 @@ const Triangulation& canonical_triangulation(const Canonized& c) {
 }
 
 py::list isometries(const Canonized& a, const Canonized& b) {
-  const auto maps = unlocked([&] { return isomorphisms(canonical_triangulation(a), canonical_triangulation(b)); });
+  const auto maps =
+      unlocked([&] { return isomorphisms(canonical_triangulation(a), canonical_triangulation(b)); });
   py::list list;
   for (const Isomorphism& map : maps) list.append(images_of(map));
   return list;
@@ -133,8 +140,8 @@ py::object orientation_of(const Canonized& c) {
   return py::cast(orientation(canonical_triangulation(c)));
 }
 
-py::tuple isometry(const Content& x, const Content& y, const std::string& name_x, const std::string& name_y, int attempts,
-                   std::uint64_t seed, const py::object& report) {
+py::tuple isometry(const Content& x, const Content& y, const std::string& name_x, const std::string& name_y,
+                   int attempts, std::uint64_t seed, const py::object& report) {
   const workshop::Isometry found =
       interruptible(report, [tri_x = triangulation_in(x), tri_y = triangulation_in(y), name_x, name_y,
                              how = canonical_options(attempts, seed)](const Progress& progress) {
@@ -144,9 +151,10 @@ py::tuple isometry(const Content& x, const Content& y, const std::string& name_x
 }
 
 py::tuple identify(const Content& content, int attempts, std::uint64_t seed, const py::object& report) {
-  const identify::Identification found = interruptible(report, [tri = triangulation_in(content), attempts, seed](const Progress& p) {
-    return identify::identify(*tri, {seed, attempts}, p);
-  });
+  const identify::Identification found =
+      interruptible(report, [tri = triangulation_in(content), attempts, seed](const Progress& p) {
+        return identify::identify(*tri, {seed, attempts}, p);
+      });
   return py::make_tuple(word_of(workshop::verdict_of(found)), object_of(workshop::tree_of(found)));
 }
 
@@ -163,23 +171,27 @@ std::string homology(const Content& content, int k, bool relative) {
   const auto tri = triangulation_in(content);
   return unlocked([&] {
     const Skeleton skeleton(*tri);
-    return relative ? algebra::relative_homology(*tri, skeleton, k).str() : algebra::homology(*tri, skeleton, k).str();
+    return relative ? algebra::relative_homology(*tri, skeleton, k).str()
+                    : algebra::homology(*tri, skeleton, k).str();
   });
 }
 
 py::list fundamental_groups(const Content& content, bool as_read, const py::object& report) {
-  const auto groups = interruptible(report, [tri = triangulation_in(content), as_read](const Progress& progress) {
-    workshop::require_manifolds(*tri, "the triangulation");
-    return workshop::fundamental_groups(*tri, as_read, progress);
-  });
+  const auto groups =
+      interruptible(report, [tri = triangulation_in(content), as_read](const Progress& progress) {
+        workshop::require_manifolds(*tri, "the triangulation");
+        return workshop::fundamental_groups(*tri, as_read, progress);
+      });
   py::list list;
-  for (const workshop::ComponentGroup& g : groups) list.append(py::make_tuple(g.group.generators, g.group.relators));
+  for (const workshop::ComponentGroup& g : groups)
+    list.append(py::make_tuple(g.group.generators, g.group.relators));
   return list;
 }
 
 // -- combinatorics
 
-py::array_t<int> per_tetrahedron(const Skeleton& skeleton, int width, const std::function<int(int, int)>& number) {
+py::array_t<int> per_tetrahedron(const Skeleton& skeleton, int width,
+                                 const std::function<int(int, int)>& number) {
   std::vector<int> numbers;
   numbers.reserve(static_cast<std::size_t>(skeleton.tetrahedron_count()) * static_cast<std::size_t>(width));
   for (int t = 0; t < skeleton.tetrahedron_count(); ++t)
@@ -192,8 +204,9 @@ py::dict skeleton(const Content& content) {
   const Skeleton s = unlocked([&] { return Skeleton(*tri); });
   py::dict made;
   made["neighbors"] = per_tetrahedron(s, 4, [&](int t, int f) { return tri->gluing({t, f}).tet; });
-  made["permutations"] =
-      per_tetrahedron(s, 16, [&](int t, int k) { return tri->is_boundary({t, k / 4}) ? -1 : tri->gluing({t, k / 4}).perm[k % 4]; });
+  made["permutations"] = per_tetrahedron(s, 16, [&](int t, int k) {
+    return tri->is_boundary({t, k / 4}) ? -1 : tri->gluing({t, k / 4}).perm[k % 4];
+  });
   made["face_of"] = per_tetrahedron(s, 4, [&](int t, int f) { return s.face({t, f}).value; });
   made["edge_of"] = per_tetrahedron(s, 6, [&](int t, int e) { return s.edge({t, e}).value; });
   made["vertex_of"] = per_tetrahedron(s, 4, [&](int t, int v) { return s.vertex({t, v}).value; });
@@ -214,7 +227,8 @@ py::dict skeleton(const Content& content) {
 
 /// The class numbers in the skeleton by the names in the complex.
 template <class NameOf, class NumberOf>
-std::vector<int> numbers_by_name(const Triangulation& tri, int width, const NameOf& name_of, const NumberOf& number_of) {
+std::vector<int> numbers_by_name(const Triangulation& tri, int width, const NameOf& name_of,
+                                 const NumberOf& number_of) {
   std::vector<int> number;
   for (int t = 0; t < tri.size(); ++t)
     for (int k = 0; k < width; ++k) {
@@ -239,11 +253,13 @@ struct Moved {
 std::optional<moves::Obstacle> make_move(const Triangulation& tri, const moves::Move& move, Moved& result) {
   moves::Complex complex(tri);
   if (move.kind != moves::MoveKind::pack && move.tet >= tri.size())
-    throw InputError("there is no tetrahedron " + std::to_string(move.tet) + " (there are " + std::to_string(tri.size()) + ")");
+    throw InputError("there is no tetrahedron " + std::to_string(move.tet) + " (there are " +
+                     std::to_string(tri.size()) + ")");
   const Skeleton before(tri);
   std::vector<VertexId> vertices;
   std::vector<EdgeId> edges;
-  for (const VertexId v : all<VertexId>(before.vertex_count())) vertices.push_back(complex.vertex(before.preimages(v).front()));
+  for (const VertexId v : all<VertexId>(before.vertex_count()))
+    vertices.push_back(complex.vertex(before.preimages(v).front()));
   for (const EdgeId e : all<EdgeId>(before.edge_count())) {
     const Walk& w = before.around(e).front();
     edges.push_back(complex.edge(DirectedTetEdge{w.tet, w.from(), w.to()}));
@@ -257,20 +273,33 @@ std::optional<moves::Obstacle> make_move(const Triangulation& tri, const moves::
   result.tri = complex.triangulation();
   const Skeleton after(result.tri);
   for (int t = 0; t < tri.size(); ++t)
-    result.tetrahedra.push_back(std::find(gone.begin(), gone.end(), t) != gone.end() ? -1 : names.tet[static_cast<std::size_t>(t)]);
+    result.tetrahedra.push_back(
+        std::find(gone.begin(), gone.end(), t) != gone.end() ? -1 : names.tet[static_cast<std::size_t>(t)]);
   for (const int t : fresh) result.made.push_back(names.tet[static_cast<std::size_t>(t)]);
   const auto vertex_numbers = numbers_by_name(
-      result.tri, 4, [&](int t, int v) { return complex.vertex(TetVertex{t, v}).value; },
-      [&](int t, int v) { return after.vertex({t, v}).value; });
+      result.tri, 4,
+      [&](int t, int v) {
+        return complex.vertex(TetVertex{t, v}).value;
+      },
+      [&](int t, int v) {
+        return after.vertex({t, v}).value;
+      });
   const auto edge_numbers = numbers_by_name(
-      result.tri, 6, [&](int t, int e) { return complex.edge(TetEdge{t, e}).value; },
-      [&](int t, int e) { return after.edge({t, e}).value; });
+      result.tri, 6,
+      [&](int t, int e) {
+        return complex.edge(TetEdge{t, e}).value;
+      },
+      [&](int t, int e) {
+        return after.edge({t, e}).value;
+      });
   for (const VertexId v : vertices) result.vertices.push_back(at(vertex_numbers, names.vertex[v].value));
   for (const EdgeId e : edges) result.edges.push_back(at(edge_numbers, names.edge[e].value));
   for (const auto& [whole, part] : parted_vertices)
-    result.split_vertices.emplace_back(at(vertex_numbers, names.vertex[whole].value), at(vertex_numbers, names.vertex[part].value));
+    result.split_vertices.emplace_back(at(vertex_numbers, names.vertex[whole].value),
+                                       at(vertex_numbers, names.vertex[part].value));
   for (const auto& [whole, part] : parted_edges)
-    result.split_edges.emplace_back(at(edge_numbers, names.edge[whole].value), at(edge_numbers, names.edge[part].value));
+    result.split_edges.emplace_back(at(edge_numbers, names.edge[whole].value),
+                                    at(edge_numbers, names.edge[part].value));
   return std::nullopt;
 }
 
@@ -279,14 +308,16 @@ py::tuple moved(const Content& content, const std::string& line) {
   Moved result;
   const auto obstacle = unlocked([&] { return make_move(*tri, moves::parse_move(line), result); });
   if (obstacle) return py::make_tuple(moves::to_string(*obstacle), content);
-  return py::make_tuple(py::none(), content_of(std::move(result.tri), document_in(content).name), result.tetrahedra,
-                        result.vertices, result.edges, result.made, result.split_vertices, result.split_edges);
+  return py::make_tuple(py::none(), content_of(std::move(result.tri), document_in(content).name),
+                        result.tetrahedra, result.vertices, result.edges, result.made, result.split_vertices,
+                        result.split_edges);
 }
 
 py::list components_of(const Content& content) {
   const auto tri = triangulation_in(content);
   py::list list;
-  for (Triangulation& part : unlocked([&] { return split(*tri, components(*tri)); })) list.append(content_of(std::move(part)));
+  for (Triangulation& part : unlocked([&] { return split(*tri, components(*tri)); }))
+    list.append(content_of(std::move(part)));
   return list;
 }
 
@@ -313,9 +344,11 @@ py::array mobius_matrices(const std::vector<numeric::Matrix4<double>>& list) {
 }
 
 py::dict domain(const Solved& s, const py::object& report) {
-  if (!is_found(s)) throw PreconditionError("a fundamental domain needs a hyperbolic structure, and none was found");
+  if (!is_found(s))
+    throw PreconditionError("a fundamental domain needs a hyperbolic structure, and none was found");
   const embed::Domain<double> d = interruptible(report, [value = s.value](const Progress& progress) {
-    return embed::fundamental_domain(value->search.triangulation, value->skeleton, value->search.structure, {}, progress);
+    return embed::fundamental_domain(value->search.triangulation, value->skeleton, value->search.structure,
+                                     {}, progress);
   });
   py::dict made;
   std::vector<double> places;
