@@ -49,7 +49,7 @@ def scalar(r):
                      "%s%n", "/", ".", "/dev/null", "/nonexistent/x.json", "samples/none.off", "< a | >", "{", "{}", '{"format":1}',
                      b"m004", bytearray(b"x"), object(), Odd(), Raises(), Sour(), int, len, [], (), {}, set(), slice(1, 2), range(3),
                      np.float32(2), np.int8(-3), np.bool_(True), np.array(3), np.datetime64("2020-01-01"), Ellipsis,
-                     "L(7,2)", "L(6,2)", "S^3", "m004(1,2)", "samples/cube.off#*", "x#1", "#", "#*", "<X>"])
+                     "L(7,2)", "L(6,2)", "S^3", "m004(1,2)", "samples/cube.off#*", "x#1", "#", "#*", "the manifold"])
 
 
 def array(r):

@@ -26,6 +26,8 @@ from .results import Result
 _VERDICTS = {0: "yes", 1: "no", 4: "undecided"}
 #: What may stand for a file in an option.
 _CONTENT_OPTIONS = {"SURFACE", "MESH", "X"}
+#: What errors and pages call an argument that has no name of its own.
+_SPOKEN = {"X": "manifold", "Y": "other manifold", "FIRST": "first surface", "SECOND": "second surface"}
 #: Python's prompt is the shell.
 NOT_IN_PYTHON = {"shell": "at Python's prompt every command is a function, and names are variables"}
 
@@ -115,7 +117,7 @@ def _option_words(name: str, option: Dict[str, Any], value: Any, values: Dict[st
             raise InputError("%s is True (expected a value: %s)" % (name, option["help"]))
         return [spelled]
     if option["value"] in _CONTENT_OPTIONS and not is_text(value):
-        key = "<%s>" % name
+        key = "the value of " + name
         values[key] = content_of(value, key)
         return ["%s=%s" % (spelled, key)]
     if option["words"] > 1:
@@ -145,7 +147,7 @@ def _argument_words(arguments: List[Dict[str, Any]], given: Tuple[Any, ...], val
             if number is not None:
                 words.append(number)
                 continue
-            key = "<%s>" % argument["name"]
+            key = "the " + _SPOKEN.get(argument["name"], argument["name"].lower())
             values[key] = content_of(value, key)
             words.append(key)
     if waiting:

@@ -22,5 +22,5 @@ def text(command: str, *arguments: Any, **options: Any) -> str:
 
 def frame(command: str, *arguments: Any, **options: Any) -> str:
     """The page in a frame of its own, so that it and the notebook do not meddle with each other."""
-    return '<iframe style="width:100%%;height:560px;border:0" sandbox="allow-scripts" srcdoc="%s"></iframe>' % html.escape(
+    return '<iframe style="width:100%%;height:560px;border:0" sandbox="allow-scripts allow-downloads" srcdoc="%s"></iframe>' % html.escape(
         text(command, *arguments, **options), quote=True)
