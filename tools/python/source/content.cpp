@@ -13,6 +13,7 @@
 #include "tetrarch/format/snappea.hpp"
 
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -23,6 +24,10 @@ namespace {
 
 using format::MeshDocument;
 using format::MeshField;
+
+/// Made when the module is, never released.
+py::handle loads;
+py::handle numpy_lock;
 
 /// Throws what Python shows as ValueError.
 [[noreturn]] void refuse(const std::string& message) {
@@ -38,6 +43,7 @@ std::string shape_of(const py::array& array) {
 /// Lists and the like become arrays.
 py::array array_from(const py::object& given, const std::string& name) {
   if (given.is_none()) refuse(name + ": None is no array of numbers");
+  need_numpy();
   py::array array = py::array::ensure(given);
   if (!array) {
     PyErr_Clear();
@@ -304,11 +310,19 @@ py::object at_vertices(const Content& content, const std::string& name) {
   return owned(std::move(values), {length(mesh.soup.points.size()), length(width)});
 }
 
+std::size_t size_of(const Content& content) {
+  return static_cast<std::size_t>(document_in(content).triangulation.size());
+}
+
 std::string written(const Content& content, const std::string& format) {
-  const format::Document& document = document_in(content);
-  if (format == "json") return format::write_json(document);
-  if (format == "snappea") return format::write_snappea(document).text;
-  return signature(document.triangulation);
+  return by_size(size_of(content), [content, is_json = format == "json"] {
+    const format::Document& document = document_in(content);
+    return is_json ? format::write_json(document) : format::write_snappea(document).text;
+  });
+}
+
+std::string signature_of(const Content& content) {
+  return by_size(size_of(content), [tri = triangulation_in(content)] { return signature(*tri); });
 }
 
 /// What pickles keep: the text of a file.
@@ -321,7 +335,7 @@ std::string text_of(const Content& content) {
 
 /// The content of a file: JSON of any kind, or a triangulation in any other format.
 Content content_from(const std::string& text) {
-  return unlocked([&] {
+  return by_size(text.size() / 16, [text] { // a file takes so many bytes and more for a tetrahedron
     if (text.starts_with("{"))
       return Content{std::make_shared<const workshop::Content>(workshop::open(text))};
     return content_of(format::read_any(text, "<text>"));
@@ -372,11 +386,26 @@ std::shared_ptr<const Triangulation> triangulation_in(const Content& content) {
 }
 
 py::object object_of(const Tree& tree) {
-  static py::handle loads = py::object(py::module_::import("json").attr("loads")).release();
   return loads(py::str(tree.dump()));
 }
 
+void need_numpy() {
+  static std::atomic<bool> is_there{false};
+  if (is_there) return;
+  numpy_lock.attr("acquire")(); // lets go of the interpreter's lock while it waits
+  try {
+    py::detail::npy_api::get();
+  } catch (...) {
+    numpy_lock.attr("release")();
+    throw;
+  }
+  is_there = true;
+  numpy_lock.attr("release")();
+}
+
 void bind_content(py::module_& module) {
+  loads = py::object(py::module_::import("json").attr("loads")).release();
+  numpy_lock = py::module_::import("_thread").attr("allocate_lock")().release();
   py::class_<Content>(module, "Content")
       .def_property_readonly("kind", [](const Content& c) { return workshop::kind_of(*c.value); })
       .def_property_readonly("name", content_name)
@@ -386,8 +415,7 @@ void bind_content(py::module_& module) {
       .def("group", group_in)
       .def("at_vertices", at_vertices)
       .def("written", written)
-      .def("signature",
-           [](const Content& c) { return unlocked([&] { return signature(document_in(c).triangulation); }); })
+      .def("signature", signature_of)
       .def_property_readonly("size", [](const Content& c) { return document_in(c).triangulation.size(); })
       .def(py::pickle([](const Content& c) { return text_of(c); },
                       [](const std::string& text) { return content_from(text); }));

@@ -34,9 +34,15 @@ const format::MeshDocument& mesh_in(const Content& content);
 /// The triangulation, which owns what it is part of.
 std::shared_ptr<const Triangulation> triangulation_in(const Content& content);
 
+/// To be called before anything of pybind11's for arrays. Its table of NumPy's functions is made on first
+/// use, behind a guard that a thread must not wait for while it holds the interpreter's lock: the thread that
+/// makes it may have let go of the lock inside.
+void need_numpy();
+
 /// An array that looks at `data`, which `owner` keeps; nobody can write to it.
 template <class T>
 py::array view(const T* data, std::vector<py::ssize_t> shape, std::shared_ptr<const void> owner) {
+  need_numpy();
   auto* const kept = new std::shared_ptr<const void>(std::move(owner));
   const py::capsule base(kept, [](void* p) { delete static_cast<std::shared_ptr<const void>*>(p); });
   py::array array(py::dtype::of<T>(), std::move(shape), data, base);
@@ -47,6 +53,7 @@ py::array view(const T* data, std::vector<py::ssize_t> shape, std::shared_ptr<co
 /// An array that owns its numbers.
 template <class T>
 py::array_t<T> owned(std::vector<T> values, std::vector<py::ssize_t> shape) {
+  need_numpy();
   auto* const kept = new std::vector<T>(std::move(values));
   const py::capsule base(kept, [](void* p) { delete static_cast<std::vector<T>*>(p); });
   return py::array_t<T>(std::move(shape), kept->data(), base);

@@ -39,11 +39,22 @@ auto interruptible(const py::object& report, Function function) {
   return std::move(**result);
 }
 
+/// Up to so many tetrahedra what is linear in their number takes below a millisecond.
+inline constexpr std::size_t most_at_once = 1000;
+
 /// A call of at most a few milliseconds: on this thread, without the lock.
 template <class Function>
 auto unlocked(Function function) {
   const py::gil_scoped_release released;
   return function();
+}
+
+/// A call whose time grows with `size`: at once, or, if it may take long, so that Ctrl-C ends the wait for
+/// it. The function must own all that it uses.
+template <class Function>
+auto by_size(std::size_t size, Function function) {
+  if (size <= most_at_once) return unlocked(std::move(function));
+  return interruptible(py::none(), [function = std::move(function)](const Progress&) { return function(); });
 }
 
 } // namespace tetrarch::python

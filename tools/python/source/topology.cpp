@@ -40,16 +40,22 @@ const char* word_of(workshop::Verdict verdict) {
   return verdict == workshop::Verdict::proved_no ? "no" : "undecided";
 }
 
+std::size_t size_of(const Content& content) {
+  return static_cast<std::size_t>(triangulation_in(content)->size());
+}
+
 void require_manifold(const Content& content, const std::string& name) {
-  const auto tri = triangulation_in(content);
-  unlocked([&] { workshop::require_manifold(*tri, name); });
+  by_size(size_of(content), [tri = triangulation_in(content), name] {
+    workshop::require_manifold(*tri, name);
+    return true;
+  });
 }
 
 // -- structures
 
 /// Up to so many tetrahedra Newton's method takes well below a millisecond, less than another thread takes to
 /// wake.
-constexpr int most_at_once = 12;
+constexpr int most_solved_at_once = 12;
 
 Solved solved(Structure found) {
   return {std::make_shared<const Structure>(std::move(found))};
@@ -65,7 +71,7 @@ Solved structure(const Content& content, bool flow, bool as_given, int attempts,
   how.as_given = as_given;
   how.attempts = attempts;
   how.seed = seed;
-  if (!flow && tri->size() <= most_at_once && attempts >= 1) {
+  if (!flow && tri->size() <= most_solved_at_once && attempts >= 1) {
     auto once = how;
     once.as_given = true;
     Solved found = unlocked([&] { return solved(workshop::structure(*tri, once)); });
@@ -168,8 +174,7 @@ workshop::Info info(const Content& content, bool brief, const py::object& report
 }
 
 std::string homology(const Content& content, int k, bool relative) {
-  const auto tri = triangulation_in(content);
-  return unlocked([&] {
+  return by_size(size_of(content), [tri = triangulation_in(content), k, relative] {
     const Skeleton skeleton(*tri);
     return relative ? algebra::relative_homology(*tri, skeleton, k).str()
                     : algebra::homology(*tri, skeleton, k).str();
@@ -201,7 +206,7 @@ py::array_t<int> per_tetrahedron(const Skeleton& skeleton, int width,
 
 py::dict skeleton(const Content& content) {
   const auto tri = triangulation_in(content);
-  const Skeleton s = unlocked([&] { return Skeleton(*tri); });
+  const Skeleton s = by_size(size_of(content), [tri] { return Skeleton(*tri); });
   py::dict made;
   made["neighbors"] = per_tetrahedron(s, 4, [&](int t, int f) { return tri->gluing({t, f}).tet; });
   made["permutations"] = per_tetrahedron(s, 16, [&](int t, int k) {
