@@ -47,6 +47,8 @@ Json option_json(const Option& option) {
   json["choices"] = texts(option.choices);
   json["required"] = option.is_required;
   json["repeats"] = option.repeats();
+  json["words"] = option.words;
+  json["optional_value"] = !option.implied.empty();
   return json;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "job.hpp"
 
+#include "finish.hpp"
 #include "interrupts.hpp"
 #include "memory.hpp"
 #include "progress_bar.hpp"
@@ -20,32 +21,6 @@
 namespace tetrarch::program {
 namespace {
 
-/// One file cannot hold two results. `paths` are those of earlier ones, to which these are added.
-void require_different(const std::vector<Result::File>& files, std::set<std::filesystem::path>& paths) {
-  for (const Result::File& file : files) {
-    std::error_code ignored; // of a path that leads nowhere nothing is known but its name
-    std::filesystem::path path = std::filesystem::absolute(file.path, ignored);
-    if (!ignored) path = std::filesystem::weakly_canonical(path, ignored);
-    if (!paths.insert(ignored ? std::filesystem::path(file.path) : path).second)
-      throw InputError({file.path, 0}, "two results have this file name; nothing was written");
-  }
-}
-
-Json ledger_json(const format::Ledger& ledger) {
-  Json list = Json::array();
-  for (const format::Ledger::Entry& e : ledger.entries())
-    list.push_back({{"what", e.what}, {"count", e.count}});
-  return list;
-}
-
-/// Adds to the result what was passed over by those who read for it.
-void tell_reads(Result& result, const Reads& reads) {
-  if (!reads.any) return;
-  if (!reads.passed_over.empty())
-    result.warnings.insert(result.warnings.begin(), reads.passed_over.sentence());
-  if (result.json.is_object()) result.json["passed_over"] = ledger_json(reads.passed_over);
-}
-
 /// Adds whose result it is.
 void tell_input(Result& result, const Share& share) {
   for (std::string& warning : result.warnings) warning.insert(0, share.input + ": ");
@@ -57,14 +32,6 @@ void tell_input(Result& result, const Share& share) {
   }
   result.text =
       printable(share.input + (share.name.empty() ? "" : "  " + share.name)) + "\n" + result.text + "\n";
-}
-
-/// No command is done whose result holds a number that is none.
-void require_numbers(Result& result) {
-  const std::string where = result.json.where_not_a_number();
-  if (where.empty() || result.status != Status::done) return;
-  result.status = Status::undecided;
-  result.warnings.push_back("rounding errors were too great: " + where + " is no number");
 }
 
 void deliver(const Result& result, const Common& common, const std::string& speaker,
@@ -177,8 +144,7 @@ JobOutcome run_job(const Job& job, const Values* values, const std::string& spea
     if (share != nullptr) context.reads->passed_over.add(share->passed_over);
     Result result = job.run(context);
     bar.clear();
-    require_numbers(result);
-    tell_reads(result, *context.reads);
+    finish(result, *context.reads);
     if (share != nullptr) tell_input(result, *share);
     deliver(result, common, speaker, statement, share);
     return {result.status, std::move(result.value)};
