@@ -60,6 +60,11 @@ Vector Freedom::allowed(const Vector& motion) const {
   return {};
 }
 
+Vector Pull::away(const Point& p) const {
+  const Vector whole = p - target;
+  return whole - held.allowed(whole);
+}
+
 double energy(const std::vector<Element>& elements, const std::vector<Point>& points, double theta,
               double epsilon, std::vector<Vector>* gradient) {
   if (gradient != nullptr) gradient->assign(points.size(), Vector{});

@@ -11,6 +11,8 @@
 namespace tetrarch::unfold {
 namespace {
 
+using namespace numeric;
+
 /// Once nothing is folded; and the least that an epsilon may become on the way there.
 constexpr double settled = 1e-9;
 /// By so much, at least, the wall grows in a round.
@@ -36,7 +38,12 @@ public:
   }
   double energy(const Values& x, Values& gradient, double theta, double epsilon) {
     place(x);
-    const double value = unfold::energy(problem_.elements, points_, theta, epsilon, &all_);
+    double value = unfold::energy(problem_.elements, points_, theta, epsilon, &all_);
+    for (const Pull& pull : problem_.pulls) {
+      const Vector away = pull.away(points_[pull.point]);
+      value += pull.weight * dot(away, away);
+      all_[pull.point] = all_[pull.point] + 2 * pull.weight * away;
+    }
     for (std::size_t k = 0; k < moving_.size(); ++k) {
       const Vector allowed = problem_.freedom[moving_[k]].allowed(all_[moving_[k]]);
       std::copy(allowed.begin(), allowed.end(), gradient.begin() + static_cast<std::ptrdiff_t>(3 * k));
@@ -72,6 +79,9 @@ void require(const Problem& problem, const std::vector<Point>& start) {
   for (const Element& e : problem.elements)
     for (const int v : e.corner)
       if (v < 0 || v >= count) throw PreconditionError("unfold: a corner is none of the points");
+  for (const Pull& pull : problem.pulls)
+    if (pull.point < 0 || pull.point >= count)
+      throw PreconditionError("unfold: what is pulled is none of the points");
 }
 
 } // namespace
