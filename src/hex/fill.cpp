@@ -209,6 +209,7 @@ std::optional<Filling> fill(const product::Solid& solid, const FillOptions& opti
     Match match = unmatched(cells->mesh);
     FitOptions gently;
     gently.rounds = 5;
+    gently.weakest = 1;
     gently.strongest = 30;
     gently.iterations = 30;
     gently.ends_there = false;

@@ -60,6 +60,20 @@ Freedom::Kind freedom_of(Home::Kind kind) {
   return Freedom::Kind::fixed;
 }
 
+/// Unfolds the inside while the surface stays: elements that are folded have a smaller energy where all is
+/// smaller, and springs would not hold the surface.
+void settle(unfold::Problem problem, const std::vector<Home>& home, product::HexMesh& mesh,
+            const Progress& progress) {
+  for (std::size_t v = 0; v < home.size(); ++v)
+    if (home[v].kind != Home::Kind::inside) problem.freedom[v].kind = Freedom::Kind::fixed;
+  unfold::Options descent;
+  descent.iterations = 40;
+  descent.most_rounds = 10;
+  descent.flat = 1e-4;
+  descent.least_gain = 0.1;
+  mesh.points = unfold::unfold(problem, std::move(mesh.points), descent, progress.silent()).points;
+}
+
 } // namespace
 
 std::vector<Vector> surface_normals(const product::HexMesh& mesh) {
@@ -85,6 +99,8 @@ void fit(SizedHexahedra& hexahedra, const std::vector<Home>& home, const Targets
   unfold::Options descent;
   descent.iterations = options.iterations;
   descent.most_rounds = 2;
+  descent.flat = options.flat;
+  settle(problem, home, mesh, progress);
   for (int round = 0; round < options.rounds; ++round) {
     progress.step("fitting", round / static_cast<double>(options.rounds));
     const double part = options.rounds > 1 ? round / (options.rounds - 1.0) : 1;
@@ -98,7 +114,10 @@ void fit(SizedHexahedra& hexahedra, const std::vector<Home>& home, const Targets
       problem.pulls.push_back(
           {static_cast<int>(v), {freedom_of(home[v].kind), place.direction}, place.at, weight});
     }
-    if (round + 1 == options.rounds) descent.most_rounds = 8;
+    if (round + 1 == options.rounds) {
+      descent.most_rounds = 8;
+      descent.flat /= 10;
+    }
     mesh.points = unfold::unfold(problem, std::move(mesh.points), descent, progress.silent()).points;
   }
   if (!options.ends_there) return;

@@ -121,7 +121,7 @@ Run declare_hex(OptionTable& table) {
       .add("--cells", o->cells,
            "about how many hexahedra to make (default: " + std::to_string(hex::usual_cells) +
                "); more, if the solid's parts are thin")
-      .in_range(1, 1e12);
+      .in_range(1, 2e9);
   table.add("--edge", o->edge, "wanted length of edges").positive();
   table
       .add("--sharp", o->sharp,

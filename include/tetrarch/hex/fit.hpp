@@ -19,9 +19,10 @@
 namespace tetrarch::hex {
 
 struct FitOptions {
-  int rounds = 12;     ///< in which nearest points are found
-  int iterations = 60; ///< of the energy's descent in a round
-  double weakest = 1;  ///< spring, in units of the energy for a motion by the length of a cell
+  int rounds = 8;     ///< in which nearest points are found
+  int iterations = 40; ///< of the energy's descent in a round
+  double flat = 1e-5;     ///< gain of an iteration at which a round is over; a tenth of it in the last round
+  double weakest = 10; ///< spring, in units of the energy for a motion by the length of a cell
   double strongest = 1000;
   bool ends_there = true; ///< points go to their homes at last
 };

@@ -76,6 +76,7 @@ struct Options {
   double theta = 0.5;       ///< how much sizes count beside angles
   int most_rounds = 100;    ///< after which what is still folded stays so
   int iterations = 300;     ///< of L-BFGS in a round, at most
+  double flat = 1e-6;        ///< gain of an iteration, in terms of the energy, at which a round is over
   double least_gain = 1e-3; ///< of the energy in a round, in terms of it: with less, and no fold, it is done
 };
 
