@@ -117,6 +117,7 @@ Run declare_view(OptionTable& table);
 Run declare_bundle(OptionTable& table);
 Run declare_slit(OptionTable& table);
 Run declare_register(OptionTable& table);
+Run declare_hex(OptionTable& table);
 Run declare_product(OptionTable& table);
 Run declare_census_gluings(OptionTable& table);
 Run declare_census_enumerate(OptionTable& table);

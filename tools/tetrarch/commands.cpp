@@ -3,6 +3,7 @@
 
 #include "tetrarch/workshop/canonical.hpp"
 #include "tetrarch/workshop/diagram.hpp"
+#include "tetrarch/workshop/filling.hpp"
 #include "tetrarch/workshop/identify.hpp"
 #include "tetrarch/workshop/info.hpp"
 #include "tetrarch/workshop/structure.hpp"
@@ -78,6 +79,9 @@ const std::vector<Command>& commands() {
       {meshes, "product",
        "coordinates of a handlebody in (a disk with holes) x (an interval); hexahedral meshes",
        "product samples/genus4_ridges.mesh --labels 1,2 --hex 30 -o genus4.vtu", declare_product},
+      {meshes, "hex", "fill a solid with hexahedra, whatever its genus; no partition is needed",
+       "hex samples/double_torus.off --cells 2000 -o double_torus.vtu", declare_hex, false,
+       workshop::notes_of<workshop::FilledSolid>},
       {tables, "census gluings",
        "list all closed gluings of N tetrahedra up to isomorphism, as signatures, one per line",
        "census gluings --tetrahedra 2 --orientable --ideal", declare_census_gluings},
