@@ -90,11 +90,12 @@ bool is_meant_as_signature(const std::string& argument) {
 format::Document spelled_out(const std::string& argument) {
   if (is_json(argument)) return format::read_any(argument, given_json);
   if (std::optional<format::Document> named = named_manifold(argument)) return std::move(*named);
-  const std::string near = near_names(argument, identify::listed_names());
+  std::string near; // looked for only where it is needed: it takes ten times as long as to read a signature
   std::string why;
   try {
     return format::read_signature_text(argument);
   } catch (const InputError& e) {
+    near = near_names(argument, identify::listed_names());
     if (near.empty() && is_meant_as_signature(argument)) why = std::string("; as a signature: ") + e.what();
   }
   throw InputError(in_quotes(argument) + " is no file, no name of a manifold and no isomorphism signature" +

@@ -3,9 +3,11 @@
 
 #include "tetrarch/workshop/canonical.hpp"
 #include "tetrarch/workshop/diagram.hpp"
+#include "tetrarch/workshop/filling.hpp"
 #include "tetrarch/workshop/identify.hpp"
 #include "tetrarch/workshop/info.hpp"
 #include "tetrarch/workshop/structure.hpp"
+#include "tetrarch/workshop/verify.hpp"
 
 namespace tetrarch::program {
 namespace {
@@ -55,6 +57,8 @@ const std::vector<Command>& commands() {
       {structures, "hyperbolize",
        "find the structure with geodesic boundary and cusps, by Newton's method or Luo's flow",
        "hyperbolize cPcbbbihq", declare_hyperbolize, false, workshop::notes_of<workshop::Structure>},
+      {structures, "verify", "check a certificate of a structure by other means than those that made it",
+       "verify samples/knotted_y.cert.json", declare_verify, false, workshop::notes_of<checker::Report>},
       {structures, "canonize", "canonical cells, isometry signature and isometry group", "canonize fmp3_1",
        declare_canonize, false, workshop::notes_of<workshop::Cells>},
       {structures, "isometric", "decide whether two manifolds are isometric", "isometric cPcbbbihq fmp2_1",
@@ -75,6 +79,9 @@ const std::vector<Command>& commands() {
       {meshes, "product",
        "coordinates of a handlebody in (a disk with holes) x (an interval); hexahedral meshes",
        "product samples/genus4_ridges.mesh --labels 1,2 --hex 30 -o genus4.vtu", declare_product},
+      {meshes, "hex", "fill a solid with hexahedra, whatever its genus; no partition is needed",
+       "hex samples/double_torus.off --cells 2000 -o double_torus.vtu", declare_hex, false,
+       workshop::notes_of<workshop::FilledSolid>},
       {tables, "census gluings",
        "list all closed gluings of N tetrahedra up to isomorphism, as signatures, one per line",
        "census gluings --tetrahedra 2 --orientable --ideal", declare_census_gluings},
