@@ -72,9 +72,13 @@ public:
       if (d < diagram_.opposite(d)) glue_wall(d);
       glue_spoke(d);
     }
-    Sphere out{std::move(tri_), {}};
+    Sphere out{std::move(tri_), {}, {}};
     for (int d = 0; d < diagram_.dart_count(); ++d)
       if (d < diagram_.opposite(d)) out.arcs.push_back(arc(d));
+    for (const Node& node : diagram_.nodes())
+      if (!node.crossing && node.darts.size() > 2)
+        // x0 or y0 of the column over any of its darts.
+        out.vertices.push_back({tet(node.darts.front(), low), starts_at_x(node.darts.front()) ? 0 : 1});
     return out;
   }
 
@@ -151,6 +155,22 @@ private:
   Triangulation tri_;
 };
 
+Table<EdgeId, bool> edges_of(const Skeleton& skeleton, const std::vector<TetEdge>& arcs) {
+  Table<EdgeId, bool> edges(skeleton.edge_count(), false);
+  for (const TetEdge e : arcs) edges[skeleton.edge(e)] = true;
+  return edges;
+}
+
+/// The exterior of these edges, simplified.
+Triangulation drilled(const Triangulation& tri, const std::vector<TetEdge>& arcs, const ExteriorOptions& options,
+                      const Progress& progress) {
+  const Skeleton skeleton(tri);
+  const moves::Drilling drilling = moves::drill(tri, skeleton, edges_of(skeleton, arcs));
+  moves::TruncateOptions how;
+  how.simplify.seed = options.seed;
+  return moves::truncate(drilling.tri, how, progress).tri;
+}
+
 } // namespace
 
 Sphere sphere_with(const Diagram& diagram) {
@@ -158,15 +178,22 @@ Sphere sphere_with(const Diagram& diagram) {
   return SphereBuilder(with_trees_on_levels(with_crossing_corners(connected(diagram)))).run();
 }
 
+Triangulation doubled_exterior(const Diagram& diagram, const ExteriorOptions& options,
+                               const Progress& progress) {
+  const Sphere sphere = sphere_with(diagram);
+  if (sphere.vertices.empty()) throw PreconditionError("the graph has no vertex of valence 3 or more");
+  const Skeleton skeleton(sphere.tri);
+  Table<VertexId, bool> vertices(skeleton.vertex_count(), false);
+  for (const TetVertex v : sphere.vertices) vertices[skeleton.vertex(v)] = true;
+  const moves::Punctured half = moves::punctured(sphere.tri, skeleton, vertices, edges_of(skeleton, sphere.arcs));
+  std::vector<TetEdge> arcs = half.edges;
+  for (const TetEdge e : half.edges) arcs.push_back({e.tet + half.tri.size(), e.edge});
+  return drilled(moves::doubled(half.tri), arcs, options, progress);
+}
+
 Triangulation exterior(const Diagram& diagram, const ExteriorOptions& options, const Progress& progress) {
   const Sphere sphere = sphere_with(diagram);
-  const Skeleton skeleton(sphere.tri);
-  Table<EdgeId, bool> arcs(skeleton.edge_count(), false);
-  for (const TetEdge e : sphere.arcs) arcs[skeleton.edge(e)] = true;
-  const moves::Drilling drilling = moves::drill(sphere.tri, skeleton, arcs);
-  moves::TruncateOptions how;
-  how.simplify.seed = options.seed;
-  return moves::truncate(drilling.tri, how, progress).tri;
+  return drilled(sphere.tri, sphere.arcs, options, progress);
 }
 
 } // namespace tetrarch::diagram

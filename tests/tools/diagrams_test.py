@@ -55,6 +55,20 @@ class Exteriors(InFolder):
         for seed in "1", "2", "3":
             self.assertEqual(run_json("exterior", path, "--seed", seed)[1]["signature"], "cPcbbbiht")
 
+    def test_parabolic_meridians(self):
+        # Twice a regular ideal octahedron, as Orb has it; a link's meridians are parabolic in its own structure.
+        k4 = "V[1, 3, 2] V[4, 5, 1] V[2, 6, 4] V[3, 5, 6]"
+        status, x = run_json("exterior", k4, "--parabolic")
+        self.assertEqual((status, x["homology"]), (0, "Z^3"))
+        self.assertAlmostEqual(x["parabolic_volume"], 7.327724753418, delta=1e-11)
+        status, x = run_json("exterior", k4, "--double", "--parabolic")
+        self.assertEqual((status, [b["genus"] for b in x["boundary"]]), (0, [1] * 6))
+        self.assertAlmostEqual(x["parabolic_volume"], 7.327724753418, delta=1e-11)
+        self.assertAlmostEqual(run_json("exterior", FIGURE_EIGHT, "--parabolic")[1]["parabolic_volume"], 2.029883212819,
+                               delta=1e-11)
+        self.assertEqual(run_json("exterior", "braid 1 1 1", "--parabolic")[0], 4)
+        self.assertIn("no vertex", run("exterior", FIGURE_EIGHT, "--double").stderr)
+
     def test_bad_input(self):
         for code, words in (("braid 1 x", "found 'x'"), ("PD[X[1,2,3,4]]", "arc 1 has 1 end"),
                             ("[[1,2,3,4],[1,2,3,4]]", "genus 1"), ("no such thing", "no code of a diagram"),

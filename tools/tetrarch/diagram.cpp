@@ -29,14 +29,18 @@ struct ExteriorOptions {
   std::string input;
   std::string output;
   bool mirror = false;
+  bool parabolic = false;
+  bool doubled = false;
 };
 
 Result exterior(const ExteriorOptions& options, const Context& context) {
   if (!options.output.empty()) output_format(options.output);
   diagram::Diagram diagram = read_diagram(options.input, context);
   if (options.mirror) diagram = mirrored(diagram);
-  workshop::Exterior found = workshop::exterior(diagram, {context.seed, {}}, context.progress);
+  workshop::Exterior found = workshop::exterior(
+      diagram, {context.seed, {}, options.parabolic, options.doubled}, context.progress);
   Result result;
+  if (found.parabolic && !found.parabolic->found) result.status = Status::undecided;
   result.json = tree_of(found);
   result.text = block(rows_of(found, found.info.signature));
   format::Document document = format::document_of(std::move(found.triangulation));
@@ -79,6 +83,10 @@ Run declare_exterior(OptionTable& table) {
   const auto options = std::make_shared<ExteriorOptions>();
   table.add("DIAGRAM", options->input, code_help).required();
   table.add("--mirror", options->mirror, "take the mirror image");
+  table.add("--parabolic", options->parabolic,
+            "look for the structure in which the meridian of every edge is parabolic, and give its volume");
+  table.add("--double", options->doubled,
+            "two copies, glued along the spheres round the vertices: its structure is twice the parabolic one");
   table.add("-o,--output", options->output, "the file to write (its extension names the format)")
       .value_name("FILE");
   return [options](const Context& context) { return exterior(*options, context); };
