@@ -112,8 +112,8 @@ private:
     if (m < n) return;
     if (m == n) {
       if (here.size() % 2 != 0)
-        text_.fail("vertex " + std::to_string(list_[n].name) + " lists itself " + std::to_string(here.size()) +
-                   " times: a loop has two ends");
+        text_.fail("vertex " + std::to_string(list_[n].name) + " lists itself " +
+                   std::to_string(here.size()) + " times: a loop has two ends");
       for (std::size_t k = 0; k < here.size(); k += 2)
         draft_.join(first_[n] + here[k], first_[n] + here[k + 1]);
       return;

@@ -63,8 +63,7 @@ enum Piece {
 
 class SphereBuilder {
 public:
-  explicit SphereBuilder(const Diagram& diagram)
-      : diagram_(diagram), tri_(pieces * diagram.dart_count()) {}
+  explicit SphereBuilder(const Diagram& diagram) : diagram_(diagram), tri_(pieces * diagram.dart_count()) {}
 
   Sphere run() {
     for (int d = 0; d < diagram_.dart_count(); ++d) {
@@ -104,10 +103,10 @@ private:
     const auto over = [&](Piece a, std::array<int, 4> p, int face, Piece b) {
       tri_.glue({tet(d, a), face}, tet(d, b), Perm4(p[0], p[1], p[2], p[3]));
     };
-    over(low, {0, 1, 2, 3}, 2, middle); // x0 y0 z1
+    over(low, {0, 1, 2, 3}, 2, middle);  // x0 y0 z1
     over(middle, {0, 1, 2, 3}, 1, high); // x0 y1 z1
-    over(low, {0, 1, 2, 3}, 3, bottom); // x0 y0 z0
-    over(high, {3, 0, 1, 2}, 0, top);   // x1 y1 z1
+    over(low, {0, 1, 2, 3}, 3, bottom);  // x0 y0 z0
+    over(high, {3, 0, 1, 2}, 0, top);    // x1 y1 z1
   }
 
   /// The wall over the arc, between the columns of its two darts.
@@ -162,8 +161,8 @@ Table<EdgeId, bool> edges_of(const Skeleton& skeleton, const std::vector<TetEdge
 }
 
 /// The exterior of these edges, simplified.
-Triangulation drilled(const Triangulation& tri, const std::vector<TetEdge>& arcs, const ExteriorOptions& options,
-                      const Progress& progress) {
+Triangulation drilled(const Triangulation& tri, const std::vector<TetEdge>& arcs,
+                      const ExteriorOptions& options, const Progress& progress) {
   const Skeleton skeleton(tri);
   const moves::Drilling drilling = moves::drill(tri, skeleton, edges_of(skeleton, arcs));
   moves::TruncateOptions how;
@@ -185,7 +184,8 @@ Triangulation doubled_exterior(const Diagram& diagram, const ExteriorOptions& op
   const Skeleton skeleton(sphere.tri);
   Table<VertexId, bool> vertices(skeleton.vertex_count(), false);
   for (const TetVertex v : sphere.vertices) vertices[skeleton.vertex(v)] = true;
-  const moves::Punctured half = moves::punctured(sphere.tri, skeleton, vertices, edges_of(skeleton, sphere.arcs));
+  const moves::Punctured half =
+      moves::punctured(sphere.tri, skeleton, vertices, edges_of(skeleton, sphere.arcs));
   std::vector<TetEdge> arcs = half.edges;
   for (const TetEdge e : half.edges) arcs.push_back({e.tet + half.tri.size(), e.edge});
   return drilled(moves::doubled(half.tri), arcs, options, progress);

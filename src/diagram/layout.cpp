@@ -10,8 +10,8 @@
 namespace tetrarch::diagram {
 namespace {
 
-/// The triangulated disk of one part. Points: nodes, two for each arc (the one of dart d lies at d's end), for
-/// each region but the outer one a middle; and where the boundary of a region passes a node twice, a ring
+/// The triangulated disk of one part. Points: nodes, two for each arc (the one of dart d lies at d's end),
+/// for each region but the outer one a middle; and where the boundary of a region passes a node twice, a ring
 /// inside it, three points for each dart (at its node, at its own point, at the point of the other half), so
 /// that no two triangles have all corners in common.
 class Disk {
@@ -98,11 +98,12 @@ private:
     int first = pairs.front().first;
     if (boundary_[v])
       for (const auto& [a, b] : pairs)
-        if (std::none_of(pairs.begin(), pairs.end(), [a = a](const auto& p) { return p.second == a; })) first = a;
+        if (std::none_of(pairs.begin(), pairs.end(), [a = a](const auto& p) { return p.second == a; }))
+          first = a;
     std::vector<int> flower{first};
     while (true) {
-      const auto found = std::find_if(pairs.begin(), pairs.end(),
-                                      [&](const auto& p) { return p.first == flower.back(); });
+      const auto found =
+          std::find_if(pairs.begin(), pairs.end(), [&](const auto& p) { return p.first == flower.back(); });
       if (found == pairs.end() || found->second == first) return flower;
       flower.push_back(found->second);
     }

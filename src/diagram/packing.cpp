@@ -34,7 +34,8 @@ private:
     double sum = 0;
     const auto& ring = flowers_[v];
     for (std::size_t k = 0; k < ring.size(); ++k)
-      sum += angle(circles_[v].radius, circles_[ring[k]].radius, circles_[ring[(k + 1) % ring.size()]].radius);
+      sum +=
+          angle(circles_[v].radius, circles_[ring[k]].radius, circles_[ring[(k + 1) % ring.size()]].radius);
     return sum;
   }
 
@@ -58,7 +59,8 @@ private:
   /// Circle after circle: once two neighbors lie, the next one of the flower is known.
   void place() {
     std::vector<bool> placed(flowers_.size(), false);
-    const auto first = static_cast<int>(std::find(boundary_.begin(), boundary_.end(), false) - boundary_.begin());
+    const auto first =
+        static_cast<int>(std::find(boundary_.begin(), boundary_.end(), false) - boundary_.begin());
     const int second = flowers_[first].front();
     circles_[first].center = {0, 0};
     circles_[second].center = {circles_[first].radius + circles_[second].radius, 0};
@@ -103,8 +105,8 @@ private:
 
 } // namespace
 
-std::vector<PackedCircle> packed(const std::vector<std::vector<int>>& flowers, const std::vector<bool>& boundary,
-                                 const Progress& progress) {
+std::vector<PackedCircle> packed(const std::vector<std::vector<int>>& flowers,
+                                 const std::vector<bool>& boundary, const Progress& progress) {
   return Packing(flowers, boundary).run(progress);
 }
 

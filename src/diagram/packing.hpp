@@ -16,9 +16,9 @@ struct PackedCircle {
 };
 
 /// `flowers[v]` lists the neighbors of v counterclockwise: of an interior vertex all round, of a boundary
-/// vertex from one boundary neighbor to the other. Boundary circles have radius 1. The disk must be simplicial
-/// and connected, with an interior vertex.
-std::vector<PackedCircle> packed(const std::vector<std::vector<int>>& flowers, const std::vector<bool>& boundary,
-                                 const Progress& progress);
+/// vertex from one boundary neighbor to the other. Boundary circles have radius 1. The disk must be
+/// simplicial and connected, with an interior vertex.
+std::vector<PackedCircle> packed(const std::vector<std::vector<int>>& flowers,
+                                 const std::vector<bool>& boundary, const Progress& progress);
 
 } // namespace tetrarch::diagram

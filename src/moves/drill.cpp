@@ -275,8 +275,7 @@ private:
     const Name m02 = between(x0, x2);
     const Name m03 = between(x0, x3);
     if (!is_drilled(t, v, w)) {
-      pieces_.insert(pieces_.end(),
-                     {{x1, x2, x3, m03}, {x1, x2, m02, m03}, {x1, between(x0, x1), m02, m03}});
+      pieces_.insert(pieces_.end(), {{x1, x2, x3, m03}, {x1, x2, m02, m03}, {x1, between(x0, x1), m02, m03}});
       return;
     }
     const Name m12 = between(x1, x2);
@@ -393,7 +392,8 @@ CutOut cut_out(const Triangulation& tri, const Skeleton& skeleton, const Table<E
 Punctured punctured(const Triangulation& tri, const Skeleton& skeleton, const Table<VertexId, bool>& vertices,
                     const Table<EdgeId, bool>& followed) {
   require_fit(tri, skeleton, followed);
-  if (vertices.size() != skeleton.vertex_count()) throw PreconditionError("drill: an entry for each vertex is needed");
+  if (vertices.size() != skeleton.vertex_count())
+    throw PreconditionError("drill: an entry for each vertex is needed");
   const EdgeSet none(skeleton.edge_count(), false);
   const Cutting cutting(tri, skeleton, none, vertices);
   Punctured out{cutting.glued(), {}};

@@ -24,11 +24,12 @@ scene::Drawing drawing(const diagram::Layout& layout, const std::string& title) 
   out.upper = layout.upper;
   constexpr double line_width = 3;
   for (const diagram::Stroke& stroke : layout.strokes)
-    out.outlines.push_back({stroke.points, stroke.closed, {std::nullopt, line_color(stroke.edge), line_width}});
+    out.outlines.push_back(
+        {stroke.points, stroke.closed, {std::nullopt, line_color(stroke.edge), line_width}});
   constexpr double largest_dot = 0.015;
-  const double radius = std::min(0.5 * layout.vertex_radius,
-                                 largest_dot * std::max(layout.upper[0] - layout.lower[0],
-                                                        layout.upper[1] - layout.lower[1]));
+  const double radius =
+      std::min(0.5 * layout.vertex_radius,
+               largest_dot * std::max(layout.upper[0] - layout.lower[0], layout.upper[1] - layout.lower[1]));
   for (const diagram::PlanePoint& v : layout.vertices)
     out.circles.push_back({v, radius, {scene::Color{0, 0, 0}, std::nullopt, 1}});
   return out;

@@ -31,12 +31,11 @@ bool has_vertices(const diagram::Diagram& diagram) {
 }
 
 /// Half of the double's structure; of a link that of the exterior, whose meridians are parabolic anyway.
-Exterior::Parabolic parabolic(const diagram::Diagram& diagram, const Exterior& x, const ExteriorOptions& options,
-                              const Progress& progress) {
+Exterior::Parabolic parabolic(const diagram::Diagram& diagram, const Exterior& x,
+                              const ExteriorOptions& options, const Progress& progress) {
   const bool halves = has_vertices(diagram);
-  const Triangulation tri = halves && !x.is_double
-                                ? diagram::doubled_exterior(diagram, {options.seed}, progress)
-                                : x.triangulation;
+  const Triangulation tri =
+      halves && !x.is_double ? diagram::doubled_exterior(diagram, {options.seed}, progress) : x.triangulation;
   hyperbolic::SearchOptions how;
   how.seed = options.seed;
   const hyperbolic::Search found = hyperbolic::find_structure(tri, how, progress);
@@ -68,8 +67,9 @@ diagram::Diagram open_diagram(const std::string& what, const OpenOptions& option
                               const Progress& progress) {
   if (diagram::looks_like_diagram(what)) return diagram::read_diagram(what, "the code given");
   if (!is_file(what, options.locate))
-    throw InputError(in_quotes(what) + " is no file and no code of a diagram (expected embedding, PD, X[...], "
-                                       "braid, DT or Gauss)");
+    throw InputError(in_quotes(what) +
+                     " is no file and no code of a diagram (expected embedding, PD, X[...], "
+                     "braid, DT or Gauss)");
   const std::string source = format::source_name(what);
   const std::string text = format::read_file(located(what, options.locate));
   if (diagram::looks_like_diagram(text) || !diagram::looks_like_curve(text))
@@ -149,7 +149,8 @@ const FieldList<DiagramFacts>& fields_of<DiagramFacts>() {
       {{"parts", "", "number of connected components of the plane picture"},
        [](F f) -> Tree { return f.parts; }},
       {{"regions", "", "number of regions of the plane"}, [](F f) -> Tree { return f.regions; }},
-      {{"alternating", "", "whether each arc between two crossings passes over at one and under at the other"},
+      {{"alternating", "",
+        "whether each arc between two crossings passes over at one and under at the other"},
        [](F f) -> Tree { return f.alternating; }},
       {{"code", "", "planar diagram code"}, [](F f) -> Tree { return f.code; }}};
   return fields;
@@ -166,7 +167,8 @@ const FieldList<Exterior>& fields_of<Exterior>() {
       {{"meridians", "", "of each edge of the graph its meridian, a word in the group \"wirtinger\""},
        meridians_tree},
       {{"parabolic_volume", "curvature -1",
-        "volume of the structure whose meridians are parabolic, with totally geodesic spheres at the vertices; "
+        "volume of the structure whose meridians are parabolic, with totally geodesic spheres at the "
+        "vertices; "
         "null where none was found"},
        [](X x) { return x.parabolic->found ? Tree(x.parabolic->volume) : Tree(); },
        [](X x) { return x.parabolic.has_value(); }},

@@ -17,8 +17,8 @@
 namespace tetrarch::program {
 namespace {
 
-constexpr const char* code_help =
-    "a code such as 'braid 1 -2 1 -2', 'PD[X[1,4,2,5], ...]' or 'DT[4,6,2]', a file of one, or a curve in space";
+constexpr const char* code_help = "a code such as 'braid 1 -2 1 -2', 'PD[X[1,4,2,5], ...]' or 'DT[4,6,2]', a "
+                                  "file of one, or a curve in space";
 
 diagram::Diagram read_diagram(const std::string& argument, const Context& context) {
   context.reads->any = true;
@@ -37,8 +37,8 @@ Result exterior(const ExteriorOptions& options, const Context& context) {
   if (!options.output.empty()) output_format(options.output);
   diagram::Diagram diagram = read_diagram(options.input, context);
   if (options.mirror) diagram = mirrored(diagram);
-  workshop::Exterior found = workshop::exterior(
-      diagram, {context.seed, {}, options.parabolic, options.doubled}, context.progress);
+  workshop::Exterior found =
+      workshop::exterior(diagram, {context.seed, {}, options.parabolic, options.doubled}, context.progress);
   Result result;
   if (found.parabolic && !found.parabolic->found) result.status = Status::undecided;
   result.json = tree_of(found);
@@ -70,7 +70,8 @@ Result describe_diagram(const DiagramOptions& options, const Context& context) {
   if (options.output.empty()) return result;
   if (format::has_extension(options.output, ".svg")) {
     const std::string title = options.input.substr(0, longest_title);
-    result.files.push_back({options.output, write_svg(show::drawing(layout(diagram, context.progress), title))});
+    result.files.push_back(
+        {options.output, write_svg(show::drawing(layout(diagram, context.progress), title))});
   } else {
     result.files.push_back({options.output, found.code + "\n"});
   }
@@ -85,8 +86,9 @@ Run declare_exterior(OptionTable& table) {
   table.add("--mirror", options->mirror, "take the mirror image");
   table.add("--parabolic", options->parabolic,
             "look for the structure in which the meridian of every edge is parabolic, and give its volume");
-  table.add("--double", options->doubled,
-            "two copies, glued along the spheres round the vertices: its structure is twice the parabolic one");
+  table.add(
+      "--double", options->doubled,
+      "two copies, glued along the spheres round the vertices: its structure is twice the parabolic one");
   table.add("-o,--output", options->output, "the file to write (its extension names the format)")
       .value_name("FILE");
   return [options](const Context& context) { return exterior(*options, context); };
@@ -97,7 +99,8 @@ Run declare_diagram(OptionTable& table) {
   table.add("DIAGRAM", options->input, code_help).required();
   table.add("--mirror", options->mirror, "take the mirror image");
   table.add("--simplify", options->simplify, "look for a diagram of the same with fewer crossings");
-  table.add("-o,--output", options->output, "write a drawing (.svg), or the planar diagram code").value_name("FILE");
+  table.add("-o,--output", options->output, "write a drawing (.svg), or the planar diagram code")
+      .value_name("FILE");
   return [options](const Context& context) { return describe_diagram(*options, context); };
 }
 

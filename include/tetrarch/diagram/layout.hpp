@@ -8,8 +8,8 @@
 /// node, arc and region has room of its own. The strands are smooth curves through the centers of the circles
 /// of nodes and arcs. Parts are drawn side by side.
 ///
-/// Source: circle packings as drawings of knots are those of Thurston and of KnotTheory; the algorithm, Collins
-/// and Stephenson, "A circle packing algorithm" (2003).
+/// Source: circle packings as drawings of knots are those of Thurston and of KnotTheory; the algorithm,
+/// Collins and Stephenson, "A circle packing algorithm" (2003).
 
 #include "tetrarch/core/progress.hpp"
 #include "tetrarch/diagram/diagram.hpp"
@@ -29,7 +29,7 @@ struct Stroke {
 };
 
 struct Layout {
-  std::vector<Stroke> strokes; ///< with gaps where they pass below
+  std::vector<Stroke> strokes;      ///< with gaps where they pass below
   std::vector<PlanePoint> vertices; ///< those of valence other than 2
   double vertex_radius = 0;         ///< of a dot that fits
   PlanePoint lower{0, 0};

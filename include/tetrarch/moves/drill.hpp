@@ -34,8 +34,8 @@ namespace tetrarch::moves {
 /// By crushing; or why not. `edges` says of each edge class whether it is drilled. The exterior of a tree is
 /// that of a point: the vertex that it becomes is finite, and a ball is left where the tree was. Throws
 /// PreconditionError for a stale skeleton. O(n).
-[[nodiscard]] std::variant<Triangulation, Obstacle> crushed(const Triangulation& tri, const Skeleton& skeleton,
-                                                            const Table<EdgeId, bool>& edges);
+[[nodiscard]] std::variant<Triangulation, Obstacle>
+crushed(const Triangulation& tri, const Skeleton& skeleton, const Table<EdgeId, bool>& edges);
 
 /// What cutting gives.
 struct CutOut {
