@@ -51,6 +51,8 @@ public:
     return ra != rb;
   }
 
+  int root(int a) { return numeric::find_root(parent_, a); }
+
 private:
   std::vector<int> parent_;
 };
@@ -416,6 +418,25 @@ Triangulation doubled(const Triangulation& tri) {
         if (out.is_boundary({copy + t, f})) out.glue({copy + t, f}, copy + g.tet, g.perm);
     }
   return out;
+}
+
+int tree_count(const Skeleton& skeleton, const Table<EdgeId, bool>& edges) {
+  Forest forest(skeleton.vertex_count());
+  std::vector<EdgeId> extra; // each closes a circle
+  for (const EdgeId e : all<EdgeId>(skeleton.edge_count())) {
+    const auto [a, b] = skeleton.ends(e);
+    if (edges[e] && !forest.join(a.value, b.value)) extra.push_back(e);
+  }
+  const Table<VertexId, bool> on = vertices_on(skeleton, edges);
+  std::vector<bool> is_tree(static_cast<std::size_t>(skeleton.vertex_count()), false);
+  for (const VertexId v : all<VertexId>(skeleton.vertex_count()))
+    if (on[v]) is_tree[static_cast<std::size_t>(forest.root(v.value))] = true;
+  for (const EdgeId e : extra)
+    is_tree[static_cast<std::size_t>(forest.root(skeleton.ends(e).first.value))] = false;
+  for (const VertexId v : all<VertexId>(skeleton.vertex_count()))
+    if (on[v] && !skeleton.link(v).is_sphere())
+      is_tree[static_cast<std::size_t>(forest.root(v.value))] = false;
+  return static_cast<int>(std::count(is_tree.begin(), is_tree.end(), true));
 }
 
 Drilling drill(const Triangulation& tri, const Skeleton& skeleton, const Table<EdgeId, bool>& edges) {

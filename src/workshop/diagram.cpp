@@ -45,6 +45,16 @@ Exterior::Parabolic parabolic(const diagram::Diagram& diagram, const Exterior& x
           (halves ? "half of the double: " : "") + describe(found)};
 }
 
+/// Components with one vertex more than edges.
+int tree_count(const diagram::Diagram& diagram) {
+  const diagram::Classes component = diagram::components(diagram);
+  std::vector<int> twice_euler(static_cast<std::size_t>(component.count), 0);
+  for (const diagram::Node& node : diagram.nodes())
+    if (!node.crossing)
+      twice_euler[component.of[node.darts.front()]] += 2 - static_cast<int>(node.darts.size());
+  return static_cast<int>(std::count(twice_euler.begin(), twice_euler.end(), 2));
+}
+
 Tree meridians_tree(const Exterior& x) {
   Tree list = Tree::array();
   for (const int g : x.wirtinger.meridians)
@@ -120,6 +130,7 @@ Exterior exterior(const diagram::Diagram& diagram, const ExteriorOptions& option
   x.diagram = facts(diagram);
   x.wirtinger = diagram::wirtinger(diagram);
   x.is_double = options.doubled;
+  x.filled_spheres = tree_count(diagram);
   x.triangulation = options.doubled ? diagram::doubled_exterior(diagram, {options.seed}, progress)
                                     : diagram::exterior(diagram, {options.seed}, progress);
   if (options.parabolic) x.parabolic = parabolic(diagram, x, options, progress);
@@ -170,6 +181,9 @@ const FieldList<Exterior>& fields_of<Exterior>() {
        [](X x) -> Tree { return x.diagram.components; }},
       {{"meridians", "", "of each edge of the graph its meridian, a word in the group \"wirtinger\""},
        meridians_tree},
+      {{"filled_spheres", "", "trees among the components, the ball round each of which was filled in again"},
+       [](X x) -> Tree { return x.filled_spheres; },
+       [](X x) { return x.filled_spheres > 0; }},
       {{"parabolic_volume", "curvature -1",
         "volume of the structure whose meridians are parabolic, with totally geodesic spheres at the "
         "vertices; "

@@ -235,6 +235,19 @@ TEST_CASE("the edges of the one-tetrahedron sphere are a trefoil and an unknot",
   CHECK(generators == std::map<int, int>{{1, 2}, {5, 1}});
 }
 
+TEST_CASE("trees among the drilled edges are counted", "[drill]") {
+  // The boundary of a 4-simplex: five vertices, all edges between them.
+  const Triangulation sphere = from_signature("fvPQccdedeegovcfb");
+  const Skeleton skeleton(sphere);
+  for_each_edge_set(skeleton, [&](const EdgeSet& edges) {
+    int spheres = 0;
+    const CutOut cut = cut_out(sphere, skeleton, edges);
+    for (const BoundaryComponent& b : boundary_components(cut.tri, Skeleton(cut.tri)))
+      spheres += b.type.is_sphere() ? 1 : 0;
+    REQUIRE(tree_count(skeleton, edges) == spheres);
+  });
+}
+
 TEST_CASE("drilling changes nothing far from the edges", "[drill]") {
   const Triangulation fine = barycentric(from_signature("fvPQccdedeegovcfb")).tri;
   const Skeleton skeleton(fine);

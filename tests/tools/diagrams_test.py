@@ -43,6 +43,14 @@ class Exteriors(InFolder):
         done = run("info", "-", stdin="PD[X[1, 4, 2, 5], X[3, 6, 4, 1], X[5, 2, 6, 3]]\n")
         self.assertIn("torus (ideal)", done.stdout)
 
+    def test_trees_are_filled_in_and_said(self):
+        done = run("exterior", "V[1, 2, 3] V[1] V[2] V[3]", "--json")
+        self.assertEqual(json.loads(done.stdout)["filled_spheres"], 1)
+        self.assertNotIn("filled_spheres", run_json("exterior", FIGURE_EIGHT)[1])
+        self.assertIn("filled in again", run("exterior", "V[1, 2, 3] V[1] V[2] V[3]").stderr)
+        self.assertIn("filled in again", run("drill", "fvPQccdedeegovcfb", "0").stderr)
+        self.assertEqual(run_json("drill", "fvPQccdedeegovcfb", "0")[1]["filled_spheres"], 1)
+
     def test_knots_by_name(self):
         self.assertEqual(run_json("exterior", "4_1")[1]["signature"], "cPcbbbiht")
         self.assertAlmostEqual(run_json("hyperbolize", "5_2")[1]["volume"], 2.828122088330, delta=1e-11)

@@ -41,6 +41,9 @@ Result exterior(const ExteriorOptions& options, const Context& context) {
   workshop::Exterior found =
       workshop::exterior(diagram, {context.seed, {}, options.parabolic, options.doubled}, context.progress);
   Result result;
+  if (found.filled_spheres > 0)
+    result.warnings.push_back(counted(found.filled_spheres, "component") +
+                              " without cycles: the ball round each was filled in again");
   if (found.parabolic && !found.parabolic->found) result.status = Status::undecided;
   result.json = tree_of(found);
   result.text = block(rows_of(found, found.info.signature));

@@ -81,6 +81,7 @@ Result drill(const Options& options, const Context& context) {
   result.warnings = document.warnings;
   Triangulation tri;
   Json meridians;
+  int filled = 0;
   if (options.cut) {
     moves::CutOut made = moves::cut_out(document.triangulation, skeleton, edges);
     meridians = meridians_json(made);
@@ -90,9 +91,14 @@ Result drill(const Options& options, const Context& context) {
     how.simplify.seed = context.seed;
     tri =
         moves::truncate(moves::drill(document.triangulation, skeleton, edges).tri, how, context.progress).tri;
+    filled = moves::tree_count(skeleton, edges);
+    if (filled > 0)
+      result.warnings.push_back(counted(filled, "sphere") +
+                                " round drilled trees: filled in again ('--cut' leaves them)");
   }
   Info info = info_of(tri, document.name, context);
   info.json["drilled"] = drilled;
+  info.json["filled_spheres"] = filled;
   info.json["meridians"] = std::move(meridians);
   info.json["input_tetrahedra"] = document.triangulation.size();
   result.json = std::move(info.json);

@@ -51,6 +51,10 @@ struct CutOut {
 [[nodiscard]] CutOut cut_out(const Triangulation& tri, const Skeleton& skeleton,
                              const Table<EdgeId, bool>& edges);
 
+/// How many components of the drilled edges are trees of interior vertices: the exterior has a sphere for
+/// each, which crushing and coning fill with a ball. O(edges).
+[[nodiscard]] int tree_count(const Skeleton& skeleton, const Table<EdgeId, bool>& edges);
+
 /// Balls round vertices cut out, and what is left of some edges.
 struct Punctured {
   Triangulation tri; ///< a real boundary component in place of each vertex: its link, subdivided

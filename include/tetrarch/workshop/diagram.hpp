@@ -47,6 +47,7 @@ struct Exterior {
     std::string how; ///< a sentence: where it was found, or what was tried
   };
   std::optional<Parabolic> parabolic;
+  int filled_spheres = 0; ///< trees among the components: the ball round each is there again
   bool is_double = false; ///< the triangulation is that of diagram::doubled_exterior
 };
 
