@@ -4,6 +4,7 @@
 
 Usage: program_test.py PROGRAM SOURCE_DIR
 """
+import hashlib
 import json
 import math
 import os
@@ -14,6 +15,7 @@ import sys
 import tempfile
 import time
 import unittest
+from fractions import Fraction
 
 from hostile_test import *  # noqa: F401,F403: files and surroundings that mean no good
 from inputs_test import *  # noqa: F401,F403: what stands for a triangulation
@@ -123,7 +125,74 @@ class Hyperbolize(unittest.TestCase):
                 self.assertAlmostEqual(json.load(f)["metric"]["volume"], 6.451990270835, delta=1e-11)
 
 
+class Proofs(InFolder):
+    def certificate(self, name, *options):
+        path = self.path("x.cert.json")
+        status, found = run_json("hyperbolize", name, "-o", path, *options)
+        self.assertEqual((status, found["certified"]), (0, True))
+        return path, found
+
+    def test_a_structure_is_certified_and_verified(self):
+        # 30 digits of the tables (census/fmp2.json); the figure eight knot's volume is OEIS A091518.
+        for name, volume in (("fmp2_8", "6.45199027083503286529820913559"),
+                             ("m004", "2.02988321281930725004240510854")):
+            path, found = self.certificate(name, "--certify")
+            low, high = map(Fraction, found["volume_interval"])
+            self.assertTrue(low <= Fraction(volume) + Fraction(1, 10**28) and Fraction(volume) <= high)
+            self.assertLess(high - low, Fraction(1, 10**15))
+            with open(path, "rb") as file:
+                self.assertEqual(found["certificate"], hashlib.sha256(file.read()).hexdigest())
+            status, report = run_json("verify", path)
+            self.assertEqual((status, report["accepted"]), (0, True))
+            self.assertEqual(report["volume_interval"], found["volume_interval"])
+        self.assertNotIn("certified", run_json("hyperbolize", "fmp2_8")[1])
+
+    def test_digits(self):
+        # 2 Cl(pi/3) by mpmath, whose first digits are OEIS A091518.
+        path, found = self.certificate("m004", "--digits", "100")
+        self.assertEqual(found["volume_digits"], "2.0298832128193072500424051085490405718833786150605995840349"
+                                                 "78213553194952516488044272940708456513390")
+        self.assertEqual(run("verify", path).returncode, 0)
+
+    def test_what_is_damaged_is_refused(self):
+        path, _ = self.certificate("fmp3_17")
+        with open(path) as file:
+            text = file.read()
+        status, report = run_json("verify", self.path("links.cert.json", text.replace("[-2]", "[-4]")))
+        self.assertEqual((status, report["accepted"]), (1, False))
+        self.assertIn("links", report["reason"])
+        self.assertEqual(run("verify", self.path("half.cert.json", text[:300])).returncode, 2)
+        self.assertEqual(run("verify", self.path("none.cert.json", "")).returncode, 2)
+        self.assertEqual(run("verify", self.path("no.cert.json")).returncode, 2)
+        self.assertEqual(run("verify", f"{SOURCE}/tests/data/knotted_y.json").returncode, 2)
+
+    def test_what_has_no_structure_is_not_certified(self):
+        path = self.path("none.cert.json")
+        status, found = run_json("hyperbolize", "dLQacccjcog", "--as-given", "--certify", "-o", path)
+        self.assertEqual((status, found["outcome"]), (4, "not found"))
+        self.assertNotIn("certified", found)
+        self.assertFalse(os.path.exists(path))
+
+
 class Canonize(unittest.TestCase):
+    def test_cells_are_proved(self):
+        status, answer = run_json("canonize", "fmp3_1")
+        self.assertEqual((status, answer["certified"], answer["criteria"]), (0, True, ["tetrahedron"] * 3))
+        status, answer = run_json("canonize", "eLAkbccddemoen", "--isometries")
+        self.assertEqual((status, answer["certified"], answer["criteria"]), (0, True, ["R"]))
+        self.assertEqual((answer["isometry_group"], answer["amphichiral"]), ("D3", False))
+        self.assertEqual(len(answer["isometries"]), answer["isometry_group_order"])
+        # The figure eight knot: Henry and Weeks 1992.
+        answer = run_json("canonize", "m004")[1]
+        self.assertEqual((answer["isometry_group"], answer["amphichiral"]), ("D4", True))
+
+    def test_proofs_that_manifolds_differ(self):
+        # Volumes by the census; the two of fmp3_1 and fmp3_2 are equal, and so are boundary and homology.
+        for x, y, proof in (("fmp3_1", "fmp3_10", "volume"), ("fmp3_1", "fmp3_2", "cells"),
+                            ("fmp3_1", "fmp3_100", "boundary")):
+            status, answer = run_json("isometric", x, y)
+            self.assertEqual((status, answer["isometric"], answer["proof"]), (1, False, proof))
+
     def test_boundary_spheres_count(self):
         # The first is the second with a ball taken out (Regina: boundary components of Euler characteristic -2,
         # ideal, and 2, of two faces).

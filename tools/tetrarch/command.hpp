@@ -18,6 +18,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -49,7 +50,14 @@ struct Common {
   bool quiet = false;
   std::uint64_t seed = 1;
   int threads = 1;
+  std::optional<double> memory; ///< gigabytes that a job may take
 };
+
+/// For what is estimated before it is begun: gigabytes that are allowed.
+inline double allowed_gigabytes(const Common& common) {
+  constexpr double usual = 4;
+  return common.memory.value_or(usual);
+}
 
 struct Command;
 /// What a command has read so far.
@@ -101,7 +109,11 @@ Run declare_check(OptionTable& table);
 Run declare_simplify(OptionTable& table);
 Run declare_truncate(OptionTable& table);
 Run declare_subdivide(OptionTable& table);
+Run declare_drill(OptionTable& table);
+Run declare_diagram(OptionTable& table);
+Run declare_exterior(OptionTable& table);
 Run declare_hyperbolize(OptionTable& table);
+Run declare_verify(OptionTable& table);
 Run declare_canonize(OptionTable& table);
 Run declare_isometric(OptionTable& table);
 Run declare_embed(OptionTable& table);
@@ -109,6 +121,7 @@ Run declare_view(OptionTable& table);
 Run declare_bundle(OptionTable& table);
 Run declare_slit(OptionTable& table);
 Run declare_register(OptionTable& table);
+Run declare_hex(OptionTable& table);
 Run declare_product(OptionTable& table);
 Run declare_census_gluings(OptionTable& table);
 Run declare_census_enumerate(OptionTable& table);

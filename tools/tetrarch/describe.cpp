@@ -142,6 +142,13 @@ void declare_common(OptionTable& table, Common& common) {
            "number of threads (default: all cores); the results do not depend on it")
       .in_range(1, most_threads)
       .group = common_group;
+  table
+      .add("--memory", common.memory,
+           "greatest memory to use, in gigabytes (default: nine tenths of the machine's; 4 for what is "
+           "estimated beforehand)")
+      .positive()
+      .value_name("GB")
+      .group = common_group;
 }
 
 std::vector<Declared> declared(const std::vector<Command>& table) {

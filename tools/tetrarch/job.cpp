@@ -3,9 +3,12 @@
 
 #include "finish.hpp"
 #include "interrupts.hpp"
+#include "memory.hpp"
 #include "progress_bar.hpp"
+#include "text.hpp"
 
 #include "tetrarch/core/error.hpp"
+#include "tetrarch/format/new_files.hpp"
 #include "tetrarch/format/text.hpp"
 #include "tetrarch/numeric/sparse_cholesky.hpp"
 
@@ -36,7 +39,9 @@ void deliver(const Result& result, const Common& common, const std::string& spea
   std::set<std::filesystem::path> paths;
   require_different(result.files, share == nullptr ? paths : share->written);
   if (!result.files.empty()) note_writing();
-  for (const Result::File& file : result.files) format::write_file_atomically(file.path, file.content);
+  std::vector<format::NewFile> files;
+  for (const Result::File& file : result.files) files.push_back({file.path, file.content});
+  format::write_files_atomically(files);
   if (!common.quiet)
     for (const std::string& warning : result.warnings) warn(speaker, warning);
   if (common.json && statement != nullptr) {
@@ -128,7 +133,10 @@ JobOutcome run_job(const Job& job, const Values* values, const std::string& spea
                       nullptr};
   };
   const ProgressBar bar(!common.quiet);
+  const double most_memory = common.memory.value_or(usual_memory());
   try {
+    restore_reserves(); // an earlier job may have used them
+    bound_memory(most_memory);
     Context context;
     static_cast<Common&>(context) = common;
     context.progress = Progress(bar.report(), token_of_next_job());
@@ -152,7 +160,9 @@ JobOutcome run_job(const Job& job, const Values* values, const std::string& spea
     return failed(e.what(), Status::bad_input);
   } catch (const std::bad_alloc&) {
     bar.clear();
-    return failed("out of memory", Status::fault);
+    return failed("out of memory: the job takes more than there is, or than the " + fixed(most_memory, 1) +
+                      " GB allowed (--memory)",
+                  Status::bad_input);
   } catch (const std::system_error& e) { // the file system is not what the job took it for
     bar.clear();
     return failed(e.what(), Status::bad_input);

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+/// Hexahedra that fill a solid: made, measured and described in one call.
+///
+///     const FilledSolid found = filled_solid(solid, {});
+///     if (found.verdict() == Verdict::yes) use(found.filling->mesh);
+
+#include "tetrarch/core/progress.hpp"
+#include "tetrarch/hex/fill.hpp"
+#include "tetrarch/workshop/fields.hpp"
+#include "tetrarch/workshop/verdict.hpp"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace tetrarch::workshop {
+
+struct FillingOptions {
+  hex::FillOptions fill;
+  double volume_tolerance = 0.01;    ///< relative
+  double hausdorff_tolerance = 0.01; ///< in terms of the diagonal of the solid's box
+};
+
+/// The hexahedra, or none where no grid fits. It owns all that it speaks of.
+struct FilledSolid {
+  std::optional<hex::Filling> filling;
+  FillingOptions options;
+  double seconds = 0;
+
+  /// Undecided unless there are no doubts.
+  Verdict verdict() const;
+  /// What is wrong with the hexahedra, with places; empty: nothing.
+  std::vector<std::string> doubts() const;
+};
+
+/// Seconds for thousands of hexahedra. Throws Stopped.
+FilledSolid filled_solid(const product::Solid& solid, const FillingOptions& options = {},
+                         const Progress& progress = {});
+
+Rows rows_of(const FilledSolid& found);
+
+template <>
+const FieldList<FilledSolid>& fields_of<FilledSolid>();
+
+} // namespace tetrarch::workshop

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+/// The equations of a structure in balls, and which of them are left where there are cusps.
+
+#include "tetrarch/hyperbolic/metric.hpp"
+#include "tetrarch/numeric/ball.hpp"
+
+#include <optional>
+#include <vector>
+
+namespace tetrarch::verified {
+
+/// Square, row by row.
+template <class Scalar>
+struct SquareMatrix {
+  int size = 0;
+  std::vector<Scalar> entries;
+
+  explicit SquareMatrix(int n) : size(n), entries(static_cast<std::size_t>(n) * n, Scalar(0)) {}
+  Scalar& operator()(int row, int column) { return entries[static_cast<std::size_t>(row) * size + column]; }
+  const Scalar& operator()(int row, int column) const {
+    return entries[static_cast<std::size_t>(row) * size + column];
+  }
+};
+
+/// A closed gluing without finite vertices.
+class EdgeSystem {
+public:
+  explicit EdgeSystem(const Skeleton& skeleton);
+
+  const std::vector<EdgeId>& fixed() const { return fixed_; }
+  /// The edges whose lengths are unknown and whose equations are kept.
+  const std::vector<EdgeId>& free() const { return free_; }
+  /// The cusps' identities are independent; it has never been otherwise.
+  bool is_square() const { return static_cast<int>(fixed_.size()) == cusps_; }
+
+  /// K of every edge; nothing unless every tetrahedron exists at all of these lengths.
+  template <class Scalar>
+  std::optional<hyperbolic::Metric<Scalar>> curvature(const hyperbolic::Metric<Scalar>& lengths) const;
+  /// -dK/dl among the free edges, of tetrahedra that exist.
+  template <class Scalar>
+  SquareMatrix<Scalar> hessian(const hyperbolic::Metric<Scalar>& lengths) const;
+  /// The sum of the tetrahedra's volumes; nothing unless they exist.
+  std::optional<numeric::Ball> volume(const hyperbolic::Metric<numeric::Ball>& lengths) const;
+
+private:
+  void choose_fixed();
+
+  const Skeleton& skeleton_;
+  Table<VertexId, hyperbolic::VertexType> types_;
+  int cusps_ = 0;
+  std::vector<EdgeId> fixed_;
+  std::vector<EdgeId> free_;
+  std::vector<int> place_; ///< of each edge among the free ones, or -1
+};
+
+} // namespace tetrarch::verified
