@@ -81,6 +81,7 @@
 #include "tetrarch/format/new_files.hpp"
 #include "tetrarch/format/orb.hpp"
 #include "tetrarch/format/read.hpp"
+#include "tetrarch/format/records.hpp"
 #include "tetrarch/format/regina.hpp"
 #include "tetrarch/format/signature_text.hpp"
 #include "tetrarch/format/snappea.hpp"

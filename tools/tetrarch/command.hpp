@@ -16,6 +16,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -68,7 +69,10 @@ struct Reads {
 /// What every command is given besides its own options.
 struct Context : Common {
   Progress progress;
-  const Values* values = nullptr;                 ///< what names mean; null outside a session
+  const Values* values = nullptr; ///< what names mean; null outside a session
+  /// Values that nobody else needs: who reads a mesh takes it, so that there is no second one while the long
+  /// work is done. Null: none.
+  std::map<std::string, std::shared_ptr<Value>, std::less<>>* passing = nullptr;
   const std::vector<Command>* commands = nullptr; ///< the table that the command stands in
   std::string program;                            ///< what usage lines begin with; empty in a session
   /// Whoever reads an input notes here what was passed over; it is printed with the result.
@@ -121,6 +125,7 @@ Run declare_hex(OptionTable& table);
 Run declare_product(OptionTable& table);
 Run declare_census_gluings(OptionTable& table);
 Run declare_census_enumerate(OptionTable& table);
+Run declare_census_merge(OptionTable& table);
 Run declare_census_validate(OptionTable& table);
 Run declare_census_list(OptionTable& table);
 Run declare_census_show(OptionTable& table);

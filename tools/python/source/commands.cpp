@@ -21,8 +21,10 @@ namespace {
 
 constexpr const char* program_name = "tetrarch";
 
+using Passing = std::map<std::string, std::shared_ptr<program::Value>, std::less<>>;
+
 /// Parses, runs, and writes the files, unless it was stopped before.
-program::Result ran(const std::vector<std::string>& words, const program::Values& values,
+program::Result ran(const std::vector<std::string>& words, const program::Values& values, Passing& passing,
                     const Progress& progress) {
   const program::Parsed parsed =
       program::parse(words, program::commands(), program_name, program::usual_options());
@@ -35,6 +37,7 @@ program::Result ran(const std::vector<std::string>& words, const program::Values
   static_cast<program::Common&>(context) = parsed.job->common;
   context.progress = progress;
   context.values = &values;
+  context.passing = &passing;
   result = parsed.job->run(context);
   program::finish(result, *context.reads);
   std::set<std::filesystem::path> paths;
@@ -46,13 +49,35 @@ program::Result ran(const std::vector<std::string>& words, const program::Values
   return result;
 }
 
-/// (status, tree, text, warnings, value or None, paths of the files written).
-py::tuple run(const std::vector<std::string>& words, const std::map<std::string, Content>& values,
+/// What the caller keeps of a dictionary of values, and what can be taken out of it.
+struct Named {
+  program::Values values;
+  Passing passing;
+};
+
+Named named(const py::dict& kept, const py::dict& passing) {
+  Named list;
+  for (const auto& [name, content] : kept)
+    list.values[py::cast<std::string>(name)] = py::cast<const Content&>(content).value;
+  for (const auto& [name, content] : passing) {
+    const auto& made = py::cast<const Content&>(content);
+    if (made.fresh)
+      list.passing[py::cast<std::string>(name)] = made.fresh;
+    else
+      list.values[py::cast<std::string>(name)] = made.value;
+  }
+  return list;
+}
+
+/// (status, tree, text, warnings, value or None, paths of the files written). What is in `passing` was made
+/// for this call: the dictionary is emptied, and who reads a mesh takes it.
+py::tuple run(const std::vector<std::string>& words, const py::dict& kept, py::dict passing,
               const py::object& report) {
-  program::Values named;
-  for (const auto& [name, content] : values) named[name] = content.value;
-  const program::Result result =
-      interruptible(report, [words, named](const Progress& progress) { return ran(words, named, progress); });
+  const auto list = std::make_shared<Named>(named(kept, passing));
+  passing.clear();
+  const program::Result result = interruptible(report, [words, list](const Progress& progress) {
+    return ran(words, list->values, list->passing, progress);
+  });
   std::vector<std::string> paths;
   for (const program::Result::File& file : result.files) paths.push_back(file.path);
   return py::make_tuple(static_cast<int>(result.status),

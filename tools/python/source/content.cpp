@@ -149,7 +149,8 @@ Content mesh_from_arrays(const py::object& points, const py::object& triangles, 
   soup.tetrahedra = indices_from<4>(tetrahedra, "tetrahedra");
   soup.triangle_tags = tags_from(triangle_tags, "triangle_tags", soup.triangles.size());
   soup.tetrahedron_tags = tags_from(tetrahedron_tags, "tetrahedron_tags", soup.tetrahedra.size());
-  return {std::make_shared<const workshop::Content>(format::mesh_document_of(std::move(soup)))};
+  auto made = std::make_shared<workshop::Content>(format::mesh_document_of(std::move(soup)));
+  return {made, made};
 }
 
 Perm4 perm_from(const py::handle& given) {

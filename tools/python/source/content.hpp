@@ -23,6 +23,8 @@ using ContentPointer = std::shared_ptr<const workshop::Content>;
 /// A triangulation, a mesh or a group.
 struct Content {
   ContentPointer value;
+  /// The same while nothing else looks at it, so that it may be taken away; else null.
+  std::shared_ptr<workshop::Content> fresh = nullptr;
 };
 
 Content content_of(format::Document document);

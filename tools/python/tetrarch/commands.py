@@ -18,7 +18,7 @@ from typing import Any, Callable, Dict, List, Optional, Tuple
 from . import _tetrarch
 from .errors import InputError, PreconditionError, shown
 from .groups import FundamentalGroup
-from .inputs import _is_array, content_of, is_text, text_of
+from .inputs import _is_array, content_of, held, is_text, text_of
 from .progress import Progress, reporting
 from .results import Result
 
@@ -71,6 +71,22 @@ def _options(command: Dict[str, Any]) -> Dict[str, Dict[str, Any]]:
     return {keyword_name(option): option for option in [*command["options"], *common]}
 
 
+class _Values:
+    """What stands for the names in a line of words: what the caller keeps, and what is made for this call alone."""
+
+    def __init__(self) -> None:
+        self.kept: Dict[str, _tetrarch.Content] = {}
+        self.passing: Dict[str, _tetrarch.Content] = {}
+
+    def add(self, key: str, value: Any) -> None:
+        content = held(value)
+        if content is not None:
+            self.kept[key] = content
+            return
+        content = content_of(value, key)
+        (self.kept if content.kind in ("triangulation", "group") else self.passing)[key] = content
+
+
 def _number_text(value: Any) -> Optional[str]:
     if isinstance(value, (int, float)):
         return repr(value)
@@ -104,7 +120,7 @@ def _joined(value: Any, name: str) -> str:
     return ",".join(_word(item, name) for item in value) if _is_list(value) else _word(value, name)
 
 
-def _option_words(name: str, option: Dict[str, Any], value: Any, values: Dict[str, _tetrarch.Content]) -> List[str]:
+def _option_words(name: str, option: Dict[str, Any], value: Any, values: _Values) -> List[str]:
     spelled = max(option["names"], key=len)
     if value is None or value is False:
         return []
@@ -118,7 +134,7 @@ def _option_words(name: str, option: Dict[str, Any], value: Any, values: Dict[st
         return [spelled]
     if option["value"] in _CONTENT_OPTIONS and not is_text(value):
         key = "the value of " + name
-        values[key] = content_of(value, key)
+        values.add(key, value)
         return ["%s=%s" % (spelled, key)]
     if option["words"] > 1:
         if not _is_list(value) or len(value) != option["words"]:
@@ -129,7 +145,7 @@ def _option_words(name: str, option: Dict[str, Any], value: Any, values: Dict[st
     return ["%s=%s" % (spelled, _joined(value, name))]
 
 
-def _argument_words(arguments: List[Dict[str, Any]], given: Tuple[Any, ...], values: Dict[str, _tetrarch.Content]) -> List[str]:
+def _argument_words(arguments: List[Dict[str, Any]], given: Tuple[Any, ...], values: _Values) -> List[str]:
     words: List[str] = []
     waiting = list(given)
     for argument in arguments:
@@ -148,7 +164,7 @@ def _argument_words(arguments: List[Dict[str, Any]], given: Tuple[Any, ...], val
                 words.append(number)
                 continue
             key = "the " + _SPOKEN.get(argument["name"], argument["name"].lower())
-            values[key] = content_of(value, key)
+            values.add(key, value)
             words.append(key)
     if waiting:
         raise TypeError("there is an argument too many: %s" % shown(waiting[0]))
@@ -169,9 +185,9 @@ def value_of(content: Optional[_tetrarch.Content]) -> Any:
     return Mesh._of(content)
 
 
-def _run_once(command: Dict[str, Any], words: List[str], values: Dict[str, _tetrarch.Content], progress: Progress) -> Result:
+def _run_once(command: Dict[str, Any], words: List[str], values: _Values, progress: Progress) -> Result:
     with reporting(progress) as report:
-        status, tree, text, warnings, value, files = _tetrarch.run(words, values, report)
+        status, tree, text, warnings, value, files = _tetrarch.run(words, values.kept, values.passing, report)
     kind = _result_class(command["name"])
     fields = tree if isinstance(tree, dict) else None
     return kind(fields, _VERDICTS[status], text, warnings, files, value_of(value))  # type: ignore[no-any-return]
@@ -199,7 +215,7 @@ def run(command: str, *arguments: Any, progress: Progress = None, **options: Any
         raise PreconditionError("%s is no function: %s" % (command, NOT_IN_PYTHON[command]))
     entry = known[command]
     names = _options(entry)
-    values: Dict[str, _tetrarch.Content] = {}
+    values = _Values()
     words: List[str] = []
     for name, value in options.items():
         if name not in names:
@@ -209,7 +225,7 @@ def run(command: str, *arguments: Any, progress: Progress = None, **options: Any
     head = command.split() + words + ["--"]
     tail = _argument_words(entry["arguments"], arguments, values)
     mapped = [k for k, word in enumerate(tail) if word.endswith("#*")]
-    if not mapped or any(word in values for word in tail):
+    if not mapped or any(word in values.kept or word in values.passing for word in tail):
         return _run_once(entry, head + tail, values, progress)
     path = tail[mapped[0]][:-2]
     count = len(_tetrarch.collection(path, None))

@@ -275,8 +275,10 @@ class SlitMap(_Made):
 
     @property
     def uv(self) -> "npt.NDArray[np.float64]":
-        """Of each vertex its place in the domain, (n, 2). A copy.
+        """Of each vertex of `mesh` its place in the domain, (n, 2). A copy.
 
+        The vertices are those that were given, unless one of the options punch, slice, open_handles, weld, component and repair made
+        another surface.
         In the domains "cylindric" and "parallel" a vertex on the seam has two places, of which this is one; `corner_uv` has both.
         A vertex in no triangle has NaN.
 
@@ -316,8 +318,7 @@ class SlitMap(_Made):
         >>> tt.slit_map("samples/ring_two_holes.off").fingerprint().verdict
         'yes'
         """
-        kept = {name: value for name, value in self._options.items() if name in ("outer", "inner", "punch", "slice", "open_handles",
-                                                                                   "weld", "component", "repair")}
+        kept = {name: value for name, value in self._options.items() if name in ("outer", "inner", *_CHANGING)}
         made: Result = run("slit", self._source, fingerprint=True, progress=progress, **kept)
         return made
 
@@ -328,6 +329,10 @@ class SlitMap(_Made):
         from .page import frame
 
         return frame("slit", self._source, **self._options)
+
+
+#: Options by which the surface mapped is another one than that which was given.
+_CHANGING = ("punch", "slice", "open_handles", "weld", "component", "repair")
 
 
 def slit_map(*surface: Any, progress: Progress = None, **options: Any) -> SlitMap:
@@ -345,6 +350,10 @@ def slit_map(*surface: Any, progress: Progress = None, **options: Any) -> SlitMa
     for name in ("list_loops", "fingerprint", "distance"):
         if options.get(name):
             raise InputError("%s asks for no map (tt.slit has it)" % name)
+    if len(surface) == 2 and not any(options.get(name) for name in _CHANGING):
+        # The arrays are the caller's: no copy of them stays while the map is sought.
+        found = run("slit", surface, progress=progress, **options)
+        return SlitMap(found, found.value, options)
     mesh = as_mesh(surface, progress=progress)
     return SlitMap(run("slit", mesh, progress=progress, **options), mesh, options)
 
@@ -360,7 +369,7 @@ class DirectProduct(_Made):
 
     @property
     def uvw(self) -> "npt.NDArray[np.float64]":
-        """Of each vertex of `solid` its coordinates, (n, 3). No copy.
+        """Of each vertex of `solid` its coordinates, (n, 3). The first are those given that are in a tetrahedron. No copy.
 
         >>> import tetrarch as tt
         >>> made = tt.direct_product("samples/genus4_ridges.mesh", labels=(1, 2))
