@@ -58,6 +58,7 @@ private:
   std::vector<bool> simple_regions(const Classes& region, const std::vector<int>& darts) const {
     std::vector<bool> simple(static_cast<std::size_t>(region.count), true);
     std::vector<std::pair<int, int>> corners;
+    corners.reserve(darts.size());
     for (const int d : darts) corners.emplace_back(region.of[d], diagram_.node_of(d));
     std::sort(corners.begin(), corners.end());
     for (std::size_t k = 0; k + 1 < corners.size(); ++k)
