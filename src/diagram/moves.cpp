@@ -15,6 +15,22 @@ void require_dart(const Diagram& diagram, int dart) {
     throw PreconditionError("there is no dart " + std::to_string(dart));
 }
 
+/// The mover runs east with the region to its north, the other one west with it to its south. The mover goes
+/// north across the other at the first crossing, and comes back at the second, east of it.
+void push(Draft& draft, const Poke& poke) {
+  const int mover_end = draft.opposite[poke.mover];
+  const int other_end = draft.opposite[poke.other];
+  const int over = poke.over ? 1 : 0;
+  const int first = draft.add_node(4, true, over); // east, north, west, south
+  const int second = draft.add_node(4, true, over);
+  draft.join(poke.mover, first + 3);
+  draft.join(first + 1, second + 1);
+  draft.join(second + 3, mover_end);
+  draft.join(poke.other, second);
+  draft.join(second + 2, first);
+  draft.join(first + 2, other_end);
+}
+
 } // namespace
 
 Diagram with_kinks(const Diagram& diagram, const std::vector<Kink>& kinks) {
@@ -42,35 +58,25 @@ Diagram with_poke(const Diagram& diagram, const Poke& poke) {
   require_dart(diagram, poke.other);
   const Classes region = regions(diagram);
   const Classes part = parts(diagram);
-  const int mover_end = diagram.opposite(poke.mover);
-  const int other_end = diagram.opposite(poke.other);
-  if (poke.mover == poke.other || poke.mover == other_end)
+  if (poke.mover == poke.other || poke.mover == diagram.opposite(poke.other))
     throw PreconditionError("an arc cannot be pushed over itself");
   if (part.of[poke.mover] == part.of[poke.other] && region.of[poke.mover] != region.of[poke.other])
     throw PreconditionError("the two arcs have no region in common");
-  // The mover runs east with the region to its north, the other one west with it to its south. The mover
-  // goes north across the other at the first crossing, and comes back at the second, east of it.
   Draft draft(diagram);
-  const int over = poke.over ? 1 : 0;
-  const int first = draft.add_node(4, true, over); // east, north, west, south
-  const int second = draft.add_node(4, true, over);
-  draft.join(poke.mover, first + 3);
-  draft.join(first + 1, second + 1);
-  draft.join(second + 3, mover_end);
-  draft.join(poke.other, second);
-  draft.join(second + 2, first);
-  draft.join(first + 2, other_end);
+  push(draft, poke);
   return std::move(draft).finished();
 }
 
 Diagram connected(const Diagram& diagram) {
-  Diagram joined = diagram;
-  while (true) {
-    const Classes part = parts(joined);
-    if (part.count <= 1) return joined;
-    const auto second = std::find_if(part.of.begin(), part.of.end(), [](int p) { return p != 0; });
-    joined = with_poke(joined, {static_cast<int>(second - part.of.begin()), 0, true});
+  const Classes part = parts(diagram);
+  Draft draft(diagram);
+  std::vector<bool> joined(static_cast<std::size_t>(part.count), false);
+  for (int d = 0; d < diagram.dart_count(); ++d) {
+    if (joined[part.of[d]]) continue;
+    joined[part.of[d]] = true;
+    if (part.of[d] != 0) push(draft, {d, 0, true}); // dart 0 lies in part 0
   }
+  return std::move(draft).finished();
 }
 
 } // namespace tetrarch::diagram

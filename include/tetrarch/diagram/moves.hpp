@@ -66,7 +66,7 @@ Diagram without_points(const Diagram& diagram);
 Diagram simplified(const Diagram& diagram, const Progress& progress = {});
 
 /// The same graph as a diagram in one part: each further part is pushed over the first. Two crossings more
-/// for each. O(parts * darts).
+/// for each. O(darts).
 Diagram connected(const Diagram& diagram);
 
 } // namespace tetrarch::diagram
