@@ -32,11 +32,11 @@ __all__ = ["AbelianGroup", "Cells", "Census", "CensusManifold", "Cusp", "DirectP
 
 if TYPE_CHECKING:  # otherwise they are made when they are first asked for
     from .commands import (bundle, canonize, census_enumerate, census_gluings, census_identify, census_list, census_show,
-                           census_validate, check, convert, embed, group, help, hyperbolize, info, isometric, move, product, register,
-                           simplify, skeleton, slit, subdivide, truncate, view)
+                           census_validate, check, convert, diagram, drill, embed, exterior, group, help, hex, hyperbolize, info, isometric, move, product, register,
+                           simplify, skeleton, slit, subdivide, truncate, verify, view)
 
     __all__ += ["bundle", "canonize", "census_enumerate", "census_gluings", "census_identify", "census_list", "census_show",
-                "census_validate", "check", "convert", "embed", "group", "help", "hyperbolize", "info", "isometric",
+                "census_validate", "check", "convert", "diagram", "drill", "embed", "exterior", "group", "help", "hex", "hyperbolize", "info", "isometric",
                 "move", "product", "register", "simplify", "skeleton", "slit", "subdivide", "truncate", "view"]
 
 

@@ -66,9 +66,12 @@ def keyword_name(option: Dict[str, Any]) -> str:
 
 
 def _options(command: Dict[str, Any]) -> Dict[str, Dict[str, Any]]:
-    """Its own options by their keywords, then seed and threads."""
-    common = [option for option in table()["common"] if keyword_name(option) in ("seed", "threads")]
-    return {keyword_name(option): option for option in [*command["options"], *common]}
+    """Its own options by their keywords, then those that all have; how to print is not for us."""
+    options = {keyword_name(option): option for option in command["options"]}
+    for option in table()["common"]:
+        if keyword_name(option) not in ("json", "quiet"):
+            options.setdefault(keyword_name(option), option)
+    return options
 
 
 class _Values:
@@ -296,7 +299,7 @@ def annotation_of(option: Dict[str, Any]) -> str:
     elif option["value"] in _CONTENT_OPTIONS:
         return "Any"
     else:
-        kind = {"INT": "int", "UINT": "int", "FLOAT": "float"}.get(option["value"], "Word")
+        kind = {"INT": "int", "UINT": "int", "FLOAT": "float", "GB": "float"}.get(option["value"], "Word")
     if option["optional_value"]:
         kind = "Union[bool, %s]" % kind
     if option["repeats"] or option["words"] > 1:
