@@ -205,15 +205,9 @@ private:
   std::vector<int> to_, from_;
 };
 
-/// Where a cell goes.
-struct Placed {
-  int cell = -1;
-  CornerMap corners;
-};
-
 /// What is known of a symmetry so far. Copied at each choice; cells are few.
 struct Partial {
-  std::vector<Placed> image;
+  Symmetry image;
   std::vector<bool> taken;
   Bijection edges;
   Bijection vertices;
@@ -231,14 +225,13 @@ public:
     }
   }
 
-  std::optional<std::vector<CornerMap>> run(int cell) {
-    std::vector<CornerMap> found;
-    const Partial start{std::vector<Placed>(shapes_.cells.size()),
-                        std::vector<bool>(shapes_.cells.size(), false), Bijection(edges_),
-                        Bijection(vertices_)};
+  std::optional<std::vector<Symmetry>> run(int cell) {
+    std::vector<Symmetry> found;
+    const Partial start{Symmetry(shapes_.cells.size()), std::vector<bool>(shapes_.cells.size(), false),
+                        Bijection(edges_), Bijection(vertices_)};
     // Every map of the cell itself that some symmetry extends.
     place(start, cell, cell, [&](const Partial& partial) {
-      if (extends(partial)) found.push_back(partial.image[cell].corners);
+      if (extends(partial)) found.push_back(complete_);
       return false;
     });
     if (steps_ > most_steps) return std::nullopt;
@@ -290,7 +283,10 @@ private:
   bool extends(const Partial& partial) {
     int next = 0;
     while (next < static_cast<int>(partial.image.size()) && partial.image[next].cell >= 0) ++next;
-    if (next == static_cast<int>(partial.image.size())) return true;
+    if (next == static_cast<int>(partial.image.size())) {
+      complete_ = partial.image;
+      return true;
+    }
     for (int b = 0; b < static_cast<int>(partial.image.size()); ++b)
       if (!partial.taken[b] && place(partial, next, b, [&](const Partial& more) { return extends(more); }))
         return true;
@@ -299,7 +295,7 @@ private:
 
   /// The wall of the image of a's cell that wall w goes to, or -1.
   int image_of_wall(const Partial& partial, int a, int w) const {
-    const Placed& placed = partial.image[a];
+    const PlacedCell& placed = partial.image[a];
     std::vector<int> image;
     for (const int c : shapes_.cells[a].walls[w]) image.push_back(placed.corners[c]);
     std::sort(image.begin(), image.end());
@@ -310,7 +306,7 @@ private:
 
   /// 1: the diagonals of a quadrilateral go to those drawn; 0: to the others; 2: there are none.
   int keeps_diagonals(const Partial& partial, int a, int w, int image) const {
-    const Placed& placed = partial.image[a];
+    const PlacedCell& placed = partial.image[a];
     const auto& diagonals = shapes_.cells[a].drawn[w];
     if (diagonals.empty()) return 2;
     std::vector<std::array<int, 2>> images;
@@ -347,6 +343,7 @@ private:
   int edges_ = 0;
   int vertices_ = 0;
   long steps_ = 0;
+  Symmetry complete_;
 };
 
 } // namespace
@@ -355,8 +352,8 @@ CellShapes cell_shapes(const Triangulation& tri, const Skeleton& skeleton, const
   return Builder(tri, skeleton, flat).run();
 }
 
-std::optional<std::vector<CornerMap>> symmetries_of_cell(const CellShapes& shapes, int cell,
-                                                         bool classes_of_vertices) {
+std::optional<std::vector<Symmetry>> symmetries_of_cell(const CellShapes& shapes, int cell,
+                                                        bool classes_of_vertices) {
   return Search(shapes, classes_of_vertices).run(cell);
 }
 

@@ -37,9 +37,18 @@ CellShapes cell_shapes(const Triangulation& tri, const Skeleton& skeleton, const
 /// A map of corners to corners.
 using CornerMap = std::vector<int>;
 
-/// The maps of a cell to itself that extend to a symmetry of all cells as certify.hpp has it (cusps, if
-/// there are any, go to cusps). Nothing if the search is longer than its budget.
-std::optional<std::vector<CornerMap>> symmetries_of_cell(const CellShapes& shapes, int cell,
-                                                         bool classes_of_vertices);
+/// Where a cell goes.
+struct PlacedCell {
+  int cell = -1;
+  CornerMap corners;
+};
+/// Of each cell.
+using Symmetry = std::vector<PlacedCell>;
+
+/// For each map of this cell to itself that extends to a symmetry of all cells as certify.hpp has it one such
+/// symmetry (classes of vertices go to classes, if that is asked for). The maps form a group. Nothing if the
+/// search is longer than its budget.
+std::optional<std::vector<Symmetry>> symmetries_of_cell(const CellShapes& shapes, int cell,
+                                                        bool classes_of_vertices);
 
 } // namespace tetrarch::canonical

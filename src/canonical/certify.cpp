@@ -3,6 +3,7 @@
 
 #include "cell_shapes.hpp"
 #include "flatness.hpp"
+#include "merged.hpp"
 #include "tetrarch/canonical/decorated.hpp"
 
 #include <array>
@@ -12,12 +13,40 @@ namespace tetrarch::canonical {
 using numeric::Ball;
 
 const char* to_string(Criterion criterion) {
-  constexpr std::array<const char*, 3> names{"tetrahedron", "R", "F"};
+  constexpr std::array<const char*, 4> names{"tetrahedron", "R", "F", "B"};
   return names[static_cast<std::size_t>(criterion)];
 }
 
+namespace {
+
+/// R or F for every cell; -1 if all are proved, else the first that is not.
+int prove_each(const Decorated<Ball>& m, const FlatFaces& flat, const CellShapes& shapes,
+               std::vector<Criterion>& criteria) {
+  criteria.clear();
+  for (int cell = 0; cell < static_cast<int>(shapes.cells.size()); ++cell) {
+    const auto criterion = prove_flat(m, flat, shapes, cell);
+    if (!criterion) return cell;
+    criteria.push_back(*criterion);
+  }
+  return -1;
+}
+
+/// With merged lengths: B for every cell that is no tetrahedron.
+bool prove_merged(const Triangulation& tri, const Skeleton& skeleton, const hyperbolic::Metric<Ball>& lengths,
+                  const FlatFaces& flat, const CellShapes& shapes, const MergedSolver& solver,
+                  std::vector<Criterion>& criteria) {
+  const auto merged = merge_equal_lengths(tri, skeleton, lengths, flat, shapes, solver);
+  if (!merged || prove_each(merged->m, flat, merged->shapes, criteria) >= 0) return false;
+  for (Criterion& criterion : criteria)
+    if (criterion != Criterion::tetrahedron) criterion = Criterion::blocks;
+  return true;
+}
+
+} // namespace
+
 CellsProof certify_cells(const Triangulation& tri, const Skeleton& skeleton,
-                         const hyperbolic::Metric<Ball>& lengths, const FlatFaces& flat) {
+                         const hyperbolic::Metric<Ball>& lengths, const FlatFaces& flat,
+                         const MergedSolver& solver) {
   CellsProof proof;
   const Decorated<Ball> m = decorate(tri, skeleton, lengths);
   bool any = false;
@@ -41,15 +70,13 @@ CellsProof certify_cells(const Triangulation& tri, const Skeleton& skeleton,
     return proof;
   }
   const CellShapes shapes = cell_shapes(tri, skeleton, flat);
-  for (int cell = 0; cell < static_cast<int>(shapes.cells.size()); ++cell) {
-    const auto criterion = prove_flat(m, flat, shapes, cell);
-    if (!criterion) {
-      proof.why_not = "cell " + std::to_string(cell) + " is flat to all digits, which is no proof";
-      return proof;
-    }
-    proof.criteria.push_back(*criterion);
+  const int doubtful = prove_each(m, flat, shapes, proof.criteria);
+  proof.certified =
+      doubtful < 0 || (solver && prove_merged(tri, skeleton, lengths, flat, shapes, solver, proof.criteria));
+  if (!proof.certified) {
+    proof.criteria.clear();
+    proof.why_not = "cell " + std::to_string(doubtful) + " is flat to all digits, which is no proof";
   }
-  proof.certified = true;
   return proof;
 }
 

@@ -13,7 +13,6 @@ namespace {
 
 using numeric::Ball;
 using Coordinates = std::array<Ball, 4>;
-using BallMatrix = std::vector<std::vector<Ball>>;
 
 /// The vectors of a cell's corners in the basis of its first tetrahedron, read off across flat faces.
 std::vector<Coordinates> develop(const Decorated<Ball>& m, const FlatFaces& flat, const CellShapes& shapes,
@@ -97,15 +96,11 @@ std::vector<int> orbits(const std::vector<CornerMap>& group, int points) {
 /// One cell with its group.
 class FlatCell {
 public:
-  FlatCell(const CellShape& shape, std::vector<Coordinates> at, const Gram<Ball>& w, std::vector<int> basis,
+  FlatCell(const CellShape& shape, std::vector<Coordinates> at, BallMatrix gram, std::vector<int> basis,
            std::vector<CornerMap> group)
       : shape_(shape), at_(std::move(at)), basis_(std::move(basis)), group_(std::move(group)),
         orbit_(orbits(group_, shape.corners)),
-        orbit_count_(1 + *std::max_element(orbit_.begin(), orbit_.end())),
-        gram_(at_.size(), std::vector<Ball>(at_.size(), Ball(0))) {
-    for (std::size_t i = 0; i < at_.size(); ++i)
-      for (std::size_t j = 0; j < at_.size(); ++j) gram_[i][j] = product(w, at_[i], at_[j]);
-  }
+        orbit_count_(1 + *std::max_element(orbit_.begin(), orbit_.end())), gram_(std::move(gram)) {}
 
   bool has_regular_orbits() const {
     if (orbit_count_ > 4) return false; // G has rank 4
@@ -190,6 +185,15 @@ private:
 
 } // namespace
 
+BallMatrix gram_of_cell(const Decorated<Ball>& m, const FlatFaces& flat, const CellShapes& shapes, int cell) {
+  const std::vector<Coordinates> at = develop(m, flat, shapes, cell);
+  const Gram<Ball>& w = m.gram[shapes.cells[cell].tets[0]];
+  BallMatrix gram(at.size(), std::vector<Ball>(at.size(), Ball(0)));
+  for (std::size_t i = 0; i < at.size(); ++i)
+    for (std::size_t j = 0; j < at.size(); ++j) gram[i][j] = product(w, at[i], at[j]);
+  return gram;
+}
+
 std::optional<Criterion> prove_flat(const Decorated<Ball>& m, const FlatFaces& flat, const CellShapes& shapes,
                                     int cell) {
   const CellShape& shape = shapes.cells[cell];
@@ -197,12 +201,13 @@ std::optional<Criterion> prove_flat(const Decorated<Ball>& m, const FlatFaces& f
   bool cusps = false;
   for (const Gram<Ball>& w : m.gram)
     for (int v = 0; v < 4; ++v) cusps |= w[v][v] == Ball(0);
-  auto group = symmetries_of_cell(shapes, cell, cusps);
-  if (!group || group->empty()) return std::nullopt;
-  const int first = shape.tets[0];
-  const auto& corners = shapes.corner[first];
-  const FlatCell look(shape, develop(m, flat, shapes, cell), m.gram[first],
-                      std::vector<int>(corners.begin(), corners.end()), *std::move(group));
+  const auto symmetries = symmetries_of_cell(shapes, cell, cusps);
+  if (!symmetries || symmetries->empty()) return std::nullopt;
+  std::vector<CornerMap> group;
+  for (const Symmetry& symmetry : *symmetries) group.push_back(symmetry[cell].corners);
+  const auto& corners = shapes.corner[shape.tets[0]];
+  const FlatCell look(shape, develop(m, flat, shapes, cell), gram_of_cell(m, flat, shapes, cell),
+                      std::vector<int>(corners.begin(), corners.end()), std::move(group));
   if (look.has_regular_orbits()) return Criterion::orbits;
   if (look.fixes_one_line()) return Criterion::one_line;
   return std::nullopt;

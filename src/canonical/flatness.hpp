@@ -8,8 +8,15 @@
 #include "tetrarch/canonical/decorated.hpp"
 
 #include <optional>
+#include <vector>
 
 namespace tetrarch::canonical {
+
+/// Square.
+using BallMatrix = std::vector<std::vector<numeric::Ball>>;
+/// The inner products of a cell's corners, in balls.
+BallMatrix gram_of_cell(const Decorated<numeric::Ball>& m, const FlatFaces& flat, const CellShapes& shapes,
+                        int cell);
 
 /// The criterion that proves cell number `cell` flat; nothing where none does.
 std::optional<Criterion> prove_flat(const Decorated<numeric::Ball>& m, const FlatFaces& flat,

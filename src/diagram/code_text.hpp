@@ -13,8 +13,7 @@ namespace tetrarch::diagram {
 
 class CodeText {
 public:
-  CodeText(std::string_view text, std::string source)
-      : text_(text), source_(std::move(source)) {}
+  CodeText(std::string_view text, std::string source) : text_(text), source_(std::move(source)) {}
 
   /// The next letter that is no white space and in no comment ("#" to the end of the line); 0 at the end.
   char next();

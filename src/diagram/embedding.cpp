@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <map>
 #include <optional>
+#include <set>
 #include <utility>
 
 namespace tetrarch::diagram {
@@ -90,16 +91,14 @@ public:
 
 private:
   void join_all(int n) {
-    std::vector<int> met;
+    std::set<int> met;
     for (const int name : list_[n].neighbors) {
       const auto found = number_.find(name);
       if (found == number_.end())
         text_.fail("vertex " + std::to_string(list_[n].name) + " lists " + std::to_string(name) +
                    ", which is no vertex");
       const int m = found->second;
-      if (std::find(met.begin(), met.end(), m) != met.end()) continue;
-      met.push_back(m);
-      join_two(n, m);
+      if (met.insert(m).second) join_two(n, m);
     }
   }
 
@@ -113,8 +112,8 @@ private:
     if (m < n) return;
     if (m == n) {
       if (here.size() % 2 != 0)
-        text_.fail("vertex " + std::to_string(list_[n].name) + " lists itself " + std::to_string(here.size()) +
-                   " times: a loop has two ends");
+        text_.fail("vertex " + std::to_string(list_[n].name) + " lists itself " +
+                   std::to_string(here.size()) + " times: a loop has two ends");
       for (std::size_t k = 0; k < here.size(); k += 2)
         draft_.join(first_[n] + here[k], first_[n] + here[k + 1]);
       return;
@@ -141,8 +140,10 @@ private:
   /// Parallel arcs that do not lie side by side can begin anywhere; the first way that is plane is taken. If
   /// none is, the first way of all stays.
   void pair_otherwise() {
-    constexpr int most_ways = 4096;
-    for (int way = 0; way < most_ways; ++way) {
+    constexpr std::size_t most_work = 20'000'000; // darts looked at: a second
+    constexpr std::size_t most_ways = 4096;
+    const auto ways = static_cast<int>(std::min(most_ways, most_work / draft_.opposite.size()));
+    for (int way = 0; way < ways; ++way) {
       int rest = way;
       for (const Bundle& bundle : bundles_) {
         const int count = static_cast<int>(bundle.here.size());

@@ -63,8 +63,7 @@ enum Piece {
 
 class SphereBuilder {
 public:
-  explicit SphereBuilder(const Diagram& diagram)
-      : diagram_(diagram), tri_(pieces * diagram.dart_count()) {}
+  explicit SphereBuilder(const Diagram& diagram) : diagram_(diagram), tri_(pieces * diagram.dart_count()) {}
 
   Sphere run() {
     for (int d = 0; d < diagram_.dart_count(); ++d) {
@@ -72,9 +71,13 @@ public:
       if (d < diagram_.opposite(d)) glue_wall(d);
       glue_spoke(d);
     }
-    Sphere out{std::move(tri_), {}};
+    Sphere out{std::move(tri_), {}, {}};
     for (int d = 0; d < diagram_.dart_count(); ++d)
       if (d < diagram_.opposite(d)) out.arcs.push_back(arc(d));
+    for (const Node& node : diagram_.nodes())
+      if (!node.crossing && node.darts.size() > 2)
+        // x0 or y0 of the column over any of its darts.
+        out.vertices.push_back({tet(node.darts.front(), low), starts_at_x(node.darts.front()) ? 0 : 1});
     return out;
   }
 
@@ -100,10 +103,10 @@ private:
     const auto over = [&](Piece a, std::array<int, 4> p, int face, Piece b) {
       tri_.glue({tet(d, a), face}, tet(d, b), Perm4(p[0], p[1], p[2], p[3]));
     };
-    over(low, {0, 1, 2, 3}, 2, middle); // x0 y0 z1
+    over(low, {0, 1, 2, 3}, 2, middle);  // x0 y0 z1
     over(middle, {0, 1, 2, 3}, 1, high); // x0 y1 z1
-    over(low, {0, 1, 2, 3}, 3, bottom); // x0 y0 z0
-    over(high, {3, 0, 1, 2}, 0, top);   // x1 y1 z1
+    over(low, {0, 1, 2, 3}, 3, bottom);  // x0 y0 z0
+    over(high, {3, 0, 1, 2}, 0, top);    // x1 y1 z1
   }
 
   /// The wall over the arc, between the columns of its two darts.
@@ -151,6 +154,22 @@ private:
   Triangulation tri_;
 };
 
+Table<EdgeId, bool> edges_of(const Skeleton& skeleton, const std::vector<TetEdge>& arcs) {
+  Table<EdgeId, bool> edges(skeleton.edge_count(), false);
+  for (const TetEdge e : arcs) edges[skeleton.edge(e)] = true;
+  return edges;
+}
+
+/// The exterior of these edges, simplified.
+Triangulation drilled(const Triangulation& tri, const std::vector<TetEdge>& arcs,
+                      const ExteriorOptions& options, const Progress& progress) {
+  const Skeleton skeleton(tri);
+  const moves::Drilling drilling = moves::drill(tri, skeleton, edges_of(skeleton, arcs));
+  moves::TruncateOptions how;
+  how.simplify.seed = options.seed;
+  return moves::truncate(drilling.tri, how, progress).tri;
+}
+
 } // namespace
 
 Sphere sphere_with(const Diagram& diagram) {
@@ -158,15 +177,23 @@ Sphere sphere_with(const Diagram& diagram) {
   return SphereBuilder(with_trees_on_levels(with_crossing_corners(connected(diagram)))).run();
 }
 
+Triangulation doubled_exterior(const Diagram& diagram, const ExteriorOptions& options,
+                               const Progress& progress) {
+  const Sphere sphere = sphere_with(diagram);
+  if (sphere.vertices.empty()) throw PreconditionError("the graph has no vertex of valence 3 or more");
+  const Skeleton skeleton(sphere.tri);
+  Table<VertexId, bool> vertices(skeleton.vertex_count(), false);
+  for (const TetVertex v : sphere.vertices) vertices[skeleton.vertex(v)] = true;
+  const moves::Punctured half =
+      moves::punctured(sphere.tri, skeleton, vertices, edges_of(skeleton, sphere.arcs));
+  std::vector<TetEdge> arcs = half.edges;
+  for (const TetEdge e : half.edges) arcs.push_back({e.tet + half.tri.size(), e.edge});
+  return drilled(moves::doubled(half.tri), arcs, options, progress);
+}
+
 Triangulation exterior(const Diagram& diagram, const ExteriorOptions& options, const Progress& progress) {
   const Sphere sphere = sphere_with(diagram);
-  const Skeleton skeleton(sphere.tri);
-  Table<EdgeId, bool> arcs(skeleton.edge_count(), false);
-  for (const TetEdge e : sphere.arcs) arcs[skeleton.edge(e)] = true;
-  const moves::Drilling drilling = moves::drill(sphere.tri, skeleton, arcs);
-  moves::TruncateOptions how;
-  how.simplify.seed = options.seed;
-  return moves::truncate(drilling.tri, how, progress).tri;
+  return drilled(sphere.tri, sphere.arcs, options, progress);
 }
 
 } // namespace tetrarch::diagram

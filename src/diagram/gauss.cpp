@@ -23,9 +23,9 @@ using Graph = boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS
                                     boost::property<boost::vertex_index_t, int>,
                                     boost::property<boost::edge_index_t, int>>;
 
-/// Points of the wheel of crossing c: rim points 5c + k, k = 0: the first passage comes in, 1: the second comes
-/// in, 2: the first goes out, 3: the second goes out; 5c + 4: the hub. Each arc has a point in its middle as
-/// well, so that there are no parallel ones.
+/// Points of the wheel of crossing c: rim points 5c + k, k = 0: the first passage comes in, 1: the second
+/// comes in, 2: the first goes out, 3: the second goes out; 5c + 4: the hub. Each arc has a point in its
+/// middle as well, so that there are no parallel ones.
 constexpr int wheel = 5;
 
 struct WheelGraph {
@@ -220,7 +220,8 @@ std::vector<std::vector<int>> lists_of_letters(const std::string& letters, CodeT
   std::vector<std::vector<int>> lists;
   std::size_t at = 2 + static_cast<std::size_t>(std::max(0, components));
   if (crossings <= 0 || components <= 0 || letters.size() != at + static_cast<std::size_t>(crossings))
-    text.fail("the DT code has " + std::to_string(letters.size()) + " letters, which is not what its first say");
+    text.fail("the DT code has " + std::to_string(letters.size()) +
+              " letters, which is not what its first say");
   for (int k = 0; k < components; ++k) {
     std::vector<int> list;
     for (int n = value(letters[2 + static_cast<std::size_t>(k)]); n > 0; --n) {

@@ -150,10 +150,11 @@ private:
     const Sign d_side = turn(from(s), to(s), to(t));
     const Sign a_side = turn(from(t), to(t), from(s));
     const Sign b_side = turn(from(t), to(t), to(s));
-    const bool touch = c_side == Sign::zero || d_side == Sign::zero || a_side == Sign::zero ||
-                       b_side == Sign::zero;
+    const bool touch =
+        c_side == Sign::zero || d_side == Sign::zero || a_side == Sign::zero || b_side == Sign::zero;
     if (touch) {
-      const bool apart = (c_side == d_side && c_side != Sign::zero) || (a_side == b_side && a_side != Sign::zero);
+      const bool apart =
+          (c_side == d_side && c_side != Sign::zero) || (a_side == b_side && a_side != Sign::zero);
       if (apart) return true;
       meeting_ = {s, t};
       return false;
@@ -170,8 +171,8 @@ private:
     return true;
   }
 
-  /// Two segments with a common point fall together if they run the same way. In a straight line of space they
-  /// may go on.
+  /// Two segments with a common point fall together if they run the same way. In a straight line of space
+  /// they may go on.
   bool test_neighbors(int s, int t) {
     const auto& [a, b] = curve_.segments[s];
     const auto& [c, d] = curve_.segments[t];
@@ -199,7 +200,8 @@ private:
     return true;
   }
 
-  /// Where along `segment` the other one crosses it, from 0 to 1; none where doubles cannot say to some digits.
+  /// Where along `segment` the other one crosses it, from 0 to 1; none where doubles cannot say to some
+  /// digits.
   std::optional<double> parameter(int segment, int other) const {
     const Vector normal = cross(from(other) - eye_, to(other) - eye_);
     const double a = dot(normal, from(segment) - eye_);
@@ -226,7 +228,9 @@ private:
     return true;
   }
 
-  int other_at(int x, int s) const { return crossings_[x].first == s ? crossings_[x].second : crossings_[x].first; }
+  int other_at(int x, int s) const {
+    return crossings_[x].first == s ? crossings_[x].second : crossings_[x].first;
+  }
 
   /// False, and nothing is changed, where two are too near one another.
   bool sort_in_doubles(int s) {
@@ -412,8 +416,9 @@ std::string segment_name(const Curve& curve, int s) {
 
 [[noreturn]] void fail_meeting(const Curve& curve, const View& view, const std::string& source) {
   const auto [s, t] = view.meeting();
-  throw InputError({source, 0}, "the segments " + segment_name(curve, s) + " and " + segment_name(curve, t) +
-                                    (view.meets_in_space() ? " meet" : " meet, as seen from every place tried"));
+  throw InputError({source, 0},
+                   "the segments " + segment_name(curve, s) + " and " + segment_name(curve, t) +
+                       (view.meets_in_space() ? " meet" : " meet, as seen from every place tried"));
 }
 
 } // namespace
@@ -427,7 +432,8 @@ Diagram project(const Curve& curve, const std::string& source, const ProjectOpti
   for (int k = 0; k < std::max(options.views, tries); ++k) {
     if (best && k >= options.views) break;
     const Point eye = random_eye(curve, random);
-    if (!std::isfinite(dot(eye, eye)) || std::find(curve.points.begin(), curve.points.end(), eye) != curve.points.end())
+    if (!std::isfinite(dot(eye, eye)) ||
+        std::find(curve.points.begin(), curve.points.end(), eye) != curve.points.end())
       throw InputError({source, 0}, "the curve is too small or too large to be looked at");
     View view(curve, eye);
     if (!view.find_crossings(progress)) {

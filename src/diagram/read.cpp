@@ -49,8 +49,7 @@ Draft read_code(std::string_view text, const std::string& source) {
   }
   if (begins_planar_list(word)) return read_planar_diagram(code);
   if (word == "o" || word == "u") return read_gauss(code);
-  if (!word.empty())
-    code.fail_expected("the code of a diagram: embedding, PD, X[...], braid, DT or Gauss");
+  if (!word.empty()) code.fail_expected("the code of a diagram: embedding, PD, X[...], braid, DT or Gauss");
   return read_planar_diagram(code);
 }
 

@@ -86,8 +86,8 @@ private:
                 number_of_line);
       return;
     }
-    const bool separates = std::none_of(words.begin(), words.end(),
-                                        [](std::string_view w) { return format::parse_double(w).has_value(); });
+    const bool separates = std::none_of(
+        words.begin(), words.end(), [](std::string_view w) { return format::parse_double(w).has_value(); });
     if (separates || curve_.points.empty())
       close();
     else
@@ -147,7 +147,8 @@ private:
     for (const auto& [a, b] : curve_.segments) {
       if (a == b) fail(0, "a segment joins point " + std::to_string(a) + " to itself");
       if (!seen.insert(std::minmax(a, b)).second)
-        fail(0, "the segment of points " + std::to_string(a) + " and " + std::to_string(b) + " is given twice");
+        fail(0,
+             "the segment of points " + std::to_string(a) + " and " + std::to_string(b) + " is given twice");
       ++valence[a];
       ++valence[b];
     }

@@ -77,8 +77,8 @@ bool is_vertex(const Diagram& diagram, int dart) {
   return !diagram.at_crossing(dart) && diagram.node(diagram.node_of(dart)).darts.size() > 2;
 }
 
-/// A way from a node on that passes over all it meets, or under all: it starts at a dart and ends at the other
-/// one, neither of them on one of the crossings between.
+/// A way from a node on that passes over all it meets, or under all: it starts at a dart and ends at the
+/// other one, neither of them on one of the crossings between.
 struct Strand {
   int start = -1;
   int end = -1;
@@ -348,8 +348,9 @@ Diagram with_twist(const Diagram& diagram, int dart, bool over) {
   if (!is_vertex(diagram, dart)) throw PreconditionError("a twist needs a vertex of valence 3 or more");
   const int next = diagram.turned(dart, 1);
   Draft draft(diagram);
-  // The vertex lies west of the crossing, `dart` leaves it to the southeast, `next` to the northeast. Darts of
-  // the crossing: northwest, southwest, southeast, northeast. What came from the southeast comes from there.
+  // The vertex lies west of the crossing, `dart` leaves it to the southeast, `next` to the northeast. Darts
+  // of the crossing: northwest, southwest, southeast, northeast. What came from the southeast comes from
+  // there.
   const int near = draft.add_node(4, true, over ? 0 : 1);
   const int end = diagram.opposite(dart);
   const int next_end = diagram.opposite(next);

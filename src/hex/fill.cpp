@@ -17,6 +17,9 @@ namespace {
 
 using namespace numeric;
 
+/// Solvers are content with a scaled Jacobian above.
+constexpr double content = 0.2;
+
 /// The box of some points.
 std::array<Point, 2> box_of(const std::vector<Point>& points) {
   std::array<Point, 2> box{points.front(), points.front()};
@@ -112,6 +115,7 @@ void improve(Fitted& fitted, const Targets& targets, const Progress& progress) {
     return fitted.home[v].kind == Home::Kind::inside ? p : targets.place(fitted.home[v], p, &normals[v]).at;
   };
   product::smooth(mesh, fixed, options, progress);
+  land(mesh, fitted.home, targets);
   fitted.quality = product::quality(mesh);
 }
 
@@ -144,13 +148,13 @@ Fitted fitted(Fitted start, const Match& match, bool with_layers, double edge, c
 /// Both ways where both may do, and the better.
 Fitted best_fit(const SizedHexahedra& cells, const Match& match, double edge, const Targets& targets,
                 const Progress& progress) {
-  constexpr double content = 0.4;
+  constexpr double as_good = 0.4; // as layers can make it
   const bool is_roomy =
       match.is_unfolded && std::count(match.is_cramped.begin(), match.is_cramped.end(), 1) == 0;
   std::optional<Fitted> best;
   if (is_roomy) {
     best = fitted({cells, {}, {}, false}, match, false, edge, targets, progress);
-    if (best->quality.minimum > content) return *std::move(best);
+    if (best->quality.minimum > as_good) return *std::move(best);
   }
   Fitted layered = fitted({cells, {}, {}, false}, match, true, edge, targets, progress);
   return best && product::is_better(best->quality, layered.quality) ? *std::move(best) : layered;
@@ -168,7 +172,49 @@ Filling measured(const product::Solid& solid, Fitted fitted, double edge) {
   return result;
 }
 
+/// With one length of edges; nothing where the grid has not the solid's genus.
+std::optional<Filling> filled_with(const product::Solid& solid, double edge, const FillOptions& options,
+                                   const Progress& progress) {
+  const Targets targets(solid, features(solid, {.sharp = options.sharp, .least_area = edge * edge / 2}));
+  std::optional<SizedHexahedra> cells = cells_in(solid, targets, edge, progress);
+  if (!cells) return std::nullopt;
+  Match match = unmatched(cells->mesh);
+  FitOptions gently;
+  gently.rounds = 5;
+  gently.weakest = 1;
+  gently.strongest = 30;
+  gently.iterations = 30;
+  gently.ends_there = false;
+  fit(*cells, match.home, targets, gently, progress);
+  std::optional<Match> found = matched(cells->mesh, solid, targets);
+  const int ridges = static_cast<int>(targets.features().ridges.size());
+  if (found) match = *std::move(found);
+  Filling filling = measured(solid, best_fit(*cells, match, edge, targets, progress), edge);
+  filling.ridges_of_solid = ridges;
+  filling.ridges = found ? ridges : 0;
+  return filling;
+}
+
+/// How many of the promises are broken.
+int broken(const Filling& filling, const FillOptions& options) {
+  int count = filling.quality.minimum < content ? 1 : 0;
+  if (!(std::abs(filling.volume_ratio() - 1) <= options.volume_tolerance)) ++count;
+  if (!(filling.deviation.relative() <= options.hausdorff_tolerance)) ++count;
+  return count;
+}
+
+bool is_preferred(const Filling& a, const Filling& b, const FillOptions& options) {
+  if (a.quality.bad.size() != b.quality.bad.size()) return a.quality.bad.size() < b.quality.bad.size();
+  const int broken_a = broken(a, options);
+  const int broken_b = broken(b, options);
+  return broken_a != broken_b ? broken_a < broken_b : a.quality.minimum > b.quality.minimum;
+}
+
 } // namespace
+
+bool Filling::is_good(const FillOptions& options) const {
+  return quality.bad.empty() && broken(*this, options) == 0;
+}
 
 double edge_for(const product::Solid& solid, std::int64_t cells) {
   // Those inside, and a layer: V / h^3 + A / h^2 = n, by halving.
@@ -197,38 +243,20 @@ double bytes_for_edge(const product::Solid& solid, double edge) {
 
 std::optional<Filling> fill(const product::Solid& solid, const FillOptions& options,
                             const Progress& progress) {
-  const double first = options.edge ? *options.edge : edge_for(solid, options.cells.value_or(usual_cells));
+  double edge = options.edge ? *options.edge : edge_for(solid, options.cells.value_or(usual_cells));
   constexpr double finer = 0.8;
-  constexpr int most_refinements = 4;
-  std::optional<Filling> result;
-  double edge = first;
-  for (int k = 0; k <= most_refinements; ++k, edge *= finer) {
-    const Targets targets(solid, features(solid, {.sharp = options.sharp, .least_area = edge * edge / 2}));
-    std::optional<SizedHexahedra> cells = cells_in(solid, targets, edge, progress);
-    if (!cells) continue;
-    Match match = unmatched(cells->mesh);
-    FitOptions gently;
-    gently.rounds = 5;
-    gently.weakest = 1;
-    gently.strongest = 30;
-    gently.iterations = 30;
-    gently.ends_there = false;
-    fit(*cells, match.home, targets, gently, progress);
-    const int ridges = static_cast<int>(targets.features().ridges.size());
-    bool has_ridges = true;
-    if (auto found = matched(cells->mesh, solid, targets))
-      match = std::move(*found);
-    else
-      has_ridges = false;
-    if (!has_ridges && k < 2) continue;
-    Filling filling = measured(solid, best_fit(*cells, match, edge, targets, progress), edge);
-    filling.refinements = k;
-    filling.ridges_of_solid = ridges;
-    filling.ridges = has_ridges ? ridges : 0;
-    if (!result || product::is_better(filling.quality, result->quality)) result = std::move(filling);
-    if (result->quality.bad.empty()) break;
+  constexpr int most_refinements = 6;
+  constexpr int most_fits = 3;
+  std::optional<Filling> best;
+  for (int k = 0, fits = 0; k <= most_refinements && fits < most_fits; ++k, edge *= finer) {
+    std::optional<Filling> found = filled_with(solid, edge, options, progress);
+    if (!found) continue;
+    ++fits;
+    found->refinements = k;
+    if (!best || is_preferred(*found, *best, options)) best = std::move(found);
+    if (best->is_good(options)) break;
   }
-  return result;
+  return best;
 }
 
 } // namespace tetrarch::hex

@@ -100,6 +100,7 @@ void fit(SizedHexahedra& hexahedra, const std::vector<Home>& home, const Targets
   descent.iterations = options.iterations;
   descent.most_rounds = 2;
   descent.flat = options.flat;
+  descent.reach = 0.01;
   settle(problem, home, mesh, progress);
   for (int round = 0; round < options.rounds; ++round) {
     progress.step("fitting", round / static_cast<double>(options.rounds));
@@ -118,13 +119,38 @@ void fit(SizedHexahedra& hexahedra, const std::vector<Home>& home, const Targets
       descent.most_rounds = 8;
       descent.flat /= 10;
     }
-    mesh.points = unfold::unfold(problem, std::move(mesh.points), descent, progress.silent()).points;
+    mesh.points = unfold::unfold(problem, std::move(mesh.points), descent, progress.silent()).last;
   }
-  if (!options.ends_there) return;
+  if (options.ends_there) land(mesh, home, targets);
+}
+
+int land(product::HexMesh& mesh, const std::vector<Home>& home, const Targets& targets) {
+  constexpr int most_halvings = 5;
+  constexpr double least = 0.2; // what a hexahedron must keep, unless it had less
   const std::vector<Vector> normals = surface_normals(mesh);
+  const std::vector<Point> start = mesh.points;
+  std::vector<Point> end = start;
   for (std::size_t v = 0; v < home.size(); ++v)
-    if (home[v].kind != Home::Kind::inside)
-      mesh.points[v] = targets.place(home[v], mesh.points[v], &normals[v]).at;
+    if (home[v].kind != Home::Kind::inside) end[v] = targets.place(home[v], start[v], &normals[v]).at;
+  const product::HexQuality before = product::quality(mesh);
+  std::vector<int> halvings(start.size());
+  for (bool is_done = false; !is_done;) {
+    is_done = true;
+    for (std::size_t v = 0; v < start.size(); ++v)
+      mesh.points[v] = halvings[v] > most_halvings ? start[v]
+                       : halvings[v] == 0          ? end[v]
+                                          : start[v] + std::ldexp(1.0, -halvings[v]) * (end[v] - start[v]);
+    const product::HexQuality now = product::quality(mesh);
+    for (std::size_t h = 0; h < mesh.hexahedra.size(); ++h) {
+      if (now.scaled_jacobian[h] >= std::min(least, 0.9 * before.scaled_jacobian[h])) continue;
+      for (const int v : mesh.hexahedra[h])
+        if (end[v] != start[v] && halvings[v] <= most_halvings) {
+          ++halvings[v];
+          is_done = false;
+        }
+    }
+  }
+  return static_cast<int>(std::count_if(halvings.begin(), halvings.end(), [](int h) { return h > 0; }));
 }
 
 } // namespace tetrarch::hex

@@ -82,18 +82,16 @@ public:
       if (!squares_.around[v].empty()) result_.home[v].kind = Home::Kind::surface;
   }
 
-  bool run() {
-    if (!place_corners()) return false;
-    const int ridges = static_cast<int>(targets_.features().ridges.size());
-    std::vector<std::pair<double, int>> order;
-    for (int r = 0; r < ridges; ++r) order.emplace_back(length_of(targets_.ridge(r)), r);
-    std::sort(order.begin(), order.end());
-    for (const auto& [length, r] : order)
-      if (!place_ridge(r)) return false;
-    if (!fill_patches()) return false;
+  /// Ridges are sought in this order. The ridge that found no way is returned; -1: all did, and the patches
+  /// came out; -2: there is no match in any order.
+  int run(const std::vector<int>& order) {
+    if (!place_corners()) return -2;
+    for (const int r : order)
+      if (!place_ridge(r)) return r;
+    if (!fill_patches()) return -2;
     find_cramped();
     find_folded();
-    return true;
+    return -1;
   }
 
   Match take() { return std::move(result_); }
@@ -318,9 +316,23 @@ Match unmatched(const product::HexMesh& mesh) {
 
 std::optional<Match> matched(const product::HexMesh& mesh, const product::Solid& solid,
                              const Targets& targets) {
-  Matcher matcher(mesh, solid, targets);
-  if (!matcher.run()) return std::nullopt;
-  return matcher.take();
+  std::vector<std::pair<double, int>> by_length;
+  for (int r = 0; r < static_cast<int>(targets.features().ridges.size()); ++r)
+    by_length.emplace_back(length_of(targets.ridge(r)), r);
+  std::sort(by_length.begin(), by_length.end()); // short ones have the least choice
+  std::vector<int> order;
+  for (const auto& [length, r] : by_length) order.push_back(r);
+  // Whoever finds no way goes first in the next attempt.
+  constexpr int most_attempts = 12;
+  for (int attempt = 0; attempt < most_attempts; ++attempt) {
+    Matcher matcher(mesh, solid, targets);
+    const int failed = matcher.run(order);
+    if (failed == -1) return matcher.take();
+    if (failed == -2 || (attempt > 0 && order.front() == failed)) break;
+    order.erase(std::find(order.begin(), order.end(), failed));
+    order.insert(order.begin(), failed);
+  }
+  return std::nullopt;
 }
 
 } // namespace tetrarch::hex

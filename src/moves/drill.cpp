@@ -182,8 +182,8 @@ constexpr int carrier(Name name) {
 
 class Cutting {
 public:
-  Cutting(const Triangulation& tri, const Skeleton& skeleton, const EdgeSet& edges)
-      : tri_(tri), skeleton_(skeleton), edges_(edges), on_(vertices_on(skeleton, edges)) {
+  Cutting(const Triangulation& tri, const Skeleton& skeleton, const EdgeSet& edges, Table<VertexId, bool> on)
+      : tri_(tri), skeleton_(skeleton), edges_(edges), on_(std::move(on)) {
     for (const EdgeId e : all<EdgeId>(skeleton.edge_count()))
       if (edges[e] && skeleton.is_reversed(e))
         throw PreconditionError("drill: edge " + std::to_string(e.value) +
@@ -195,14 +195,34 @@ public:
     }
   }
 
-  CutOut run() {
-    CutOut out{Triangulation(static_cast<int>(pieces_.size())), {}, {}};
-    for (int t = 0; t < tri_.size(); ++t) {
-      out.origin.insert(out.origin.end(), static_cast<std::size_t>(first_[t + 1] - first_[t]), t);
-      glue_inside(out.tri, t);
-    }
+  Triangulation glued() const {
+    Triangulation out(static_cast<int>(pieces_.size()));
+    for (int t = 0; t < tri_.size(); ++t) glue_inside(out, t);
     for (int t = 0; t < tri_.size(); ++t)
-      for (int f = 0; f < 4; ++f) glue_across(out.tri, {t, f});
+      for (int f = 0; f < 4; ++f) glue_across(out, {t, f});
+    return out;
+  }
+
+  /// What is left of an edge that is not drilled.
+  void follow(EdgeId e, std::vector<TetEdge>& left) const {
+    const Walk& w = skeleton_.around(e).front();
+    const int from = 1 << w.from();
+    const int to = 1 << w.to();
+    const auto add = [&](Name a, Name b) {
+      const DirectedTetEdge found = edge_between(w.tet, a, b);
+      left.push_back({found.tet, edge_number[found.from][found.to]});
+    };
+    if (!touches(w.tet, from | to)) return add(from, to);
+    for (const int end : {from, to}) {
+      const bool cut = touches(w.tet, end);
+      add(cut ? between(end, from | to) : end, from | to);
+    }
+  }
+
+  CutOut run() {
+    CutOut out{glued(), {}, {}};
+    for (int t = 0; t < tri_.size(); ++t)
+      out.origin.insert(out.origin.end(), static_cast<std::size_t>(first_[t + 1] - first_[t]), t);
     for (const EdgeId e : all<EdgeId>(skeleton_.edge_count()))
       if (edges_[e]) out.meridians.push_back(meridian(e));
     return out;
@@ -255,8 +275,7 @@ private:
     const Name m02 = between(x0, x2);
     const Name m03 = between(x0, x3);
     if (!is_drilled(t, v, w)) {
-      pieces_.insert(pieces_.end(),
-                     {{x1, x2, x3, m03}, {x1, x2, m02, m03}, {x1, between(x0, x1), m02, m03}});
+      pieces_.insert(pieces_.end(), {{x1, x2, x3, m03}, {x1, x2, m02, m03}, {x1, between(x0, x1), m02, m03}});
       return;
     }
     const Name m12 = between(x1, x2);
@@ -367,7 +386,36 @@ std::variant<Triangulation, Obstacle> crushed(const Triangulation& tri, const Sk
 
 CutOut cut_out(const Triangulation& tri, const Skeleton& skeleton, const Table<EdgeId, bool>& edges) {
   require_fit(tri, skeleton, edges);
-  return Cutting(tri, skeleton, edges).run();
+  return Cutting(tri, skeleton, edges, vertices_on(skeleton, edges)).run();
+}
+
+Punctured punctured(const Triangulation& tri, const Skeleton& skeleton, const Table<VertexId, bool>& vertices,
+                    const Table<EdgeId, bool>& followed) {
+  require_fit(tri, skeleton, followed);
+  if (vertices.size() != skeleton.vertex_count())
+    throw PreconditionError("drill: an entry for each vertex is needed");
+  const EdgeSet none(skeleton.edge_count(), false);
+  const Cutting cutting(tri, skeleton, none, vertices);
+  Punctured out{cutting.glued(), {}};
+  for (const EdgeId e : all<EdgeId>(skeleton.edge_count()))
+    if (followed[e]) cutting.follow(e, out.edges);
+  return out;
+}
+
+Triangulation doubled(const Triangulation& tri) {
+  const int n = tri.size();
+  Triangulation out(2 * n);
+  for (int t = 0; t < n; ++t)
+    for (int f = 0; f < 4; ++f) {
+      const Gluing g = tri.gluing({t, f});
+      if (g.tet < 0) {
+        out.glue({t, f}, n + t, Perm4());
+        continue;
+      }
+      for (const int copy : {0, n})
+        if (out.is_boundary({copy + t, f})) out.glue({copy + t, f}, copy + g.tet, g.perm);
+    }
+  return out;
 }
 
 Drilling drill(const Triangulation& tri, const Skeleton& skeleton, const Table<EdgeId, bool>& edges) {

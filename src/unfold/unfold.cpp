@@ -142,6 +142,7 @@ Unfolded unfold(const Problem& problem, std::vector<Point> start, const Options&
   std::vector<double> all = determinants(problem.elements, start);
   result.folded_before = result.folded_after = folded(all);
   if (all.empty()) {
+    result.last = start;
     result.points = std::move(start);
     return result;
   }
@@ -150,7 +151,7 @@ Unfolded unfold(const Problem& problem, std::vector<Point> start, const Options&
   result.points = start;
   Movable movable(problem, std::move(start));
   Values x = movable.values();
-  double epsilon = worst > 0 ? settled : std::max(1.0, std::hypot(worst, 0.1));
+  double epsilon = worst > 0 ? settled : options.reach * std::max(1.0, std::hypot(worst, 0.1));
   for (; result.rounds < options.most_rounds && !x.empty(); ++result.rounds) {
     const auto f = [&](const Values& at, Values& gradient) {
       return movable.energy(at, gradient, options.theta, epsilon);
@@ -159,8 +160,9 @@ Unfolded unfold(const Problem& problem, std::vector<Point> start, const Options&
     const double before = f(x, gradient);
     if (!std::isfinite(before)) break;
     const double part = result.rounds / static_cast<double>(options.most_rounds);
-    const Descent done = minimize(f, x, options.iterations, options.flat, [&] { progress.step("unfolding", part); },
-                                  [&](Values& at) { movable.precondition(at); });
+    const Descent done = minimize(
+        f, x, options.iterations, options.flat, [&] { progress.step("unfolding", part); },
+        [&](Values& at) { movable.precondition(at); });
     result.iterations += done.iterations;
     movable.place(x);
     all = determinants(problem.elements, movable.points());
@@ -175,6 +177,7 @@ Unfolded unfold(const Problem& problem, std::vector<Point> start, const Options&
     if (worst > 0 && epsilon <= settled && gained < options.least_gain) break;
     epsilon = tightened(epsilon, worst, gained);
   }
+  result.last = movable.points();
   return result;
 }
 

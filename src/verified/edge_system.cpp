@@ -3,6 +3,7 @@
 
 #include "tetrarch/hyperbolic/volume.hpp"
 
+#include <algorithm>
 #include <cstdint>
 #include <utility>
 
@@ -24,16 +25,18 @@ std::int64_t inverse(std::int64_t x) {
 } // namespace
 
 EdgeSystem::EdgeSystem(const Skeleton& skeleton)
-    : skeleton_(skeleton), types_(hyperbolic::vertex_types(skeleton)),
-      place_(static_cast<std::size_t>(skeleton.edge_count()), -1) {
+    : skeleton_(skeleton), types_(hyperbolic::vertex_types(skeleton)), place_(skeleton.edge_count(), 0) {
   choose_fixed();
-  std::vector<bool> is_fixed(place_.size(), false);
-  for (const EdgeId e : fixed_) is_fixed[e.value] = true;
-  for (const EdgeId e : all<EdgeId>(skeleton.edge_count())) {
-    if (is_fixed[e.value]) continue;
-    place_[e.value] = static_cast<int>(free_.size());
-    free_.push_back(e);
-  }
+  for (const EdgeId e : fixed_) place_[e] = -1;
+  for (int& place : place_)
+    if (place == 0) place = unknowns_++;
+}
+
+EdgeSystem::EdgeSystem(const Skeleton& skeleton, const Table<EdgeId, int>& block)
+    : skeleton_(skeleton), types_(hyperbolic::vertex_types(skeleton)), place_(block) {
+  choose_fixed();
+  fixed_.clear();
+  for (const int place : place_) unknowns_ = std::max(unknowns_, place + 1);
 }
 
 /// Elimination on the columns (ends of e at each cusp), edge by edge: an edge is taken if its column is
@@ -77,15 +80,23 @@ EdgeSystem::curvature(const hyperbolic::Metric<Scalar>& lengths) const {
 }
 
 template <class Scalar>
+std::vector<Scalar> EdgeSystem::equations(const hyperbolic::Metric<Scalar>& curvature) const {
+  std::vector<Scalar> left(static_cast<std::size_t>(unknowns_), Scalar(0));
+  for (const EdgeId e : all<EdgeId>(curvature.size()))
+    if (place_[e] >= 0) left[place_[e]] += curvature[e];
+  return left;
+}
+
+template <class Scalar>
 SquareMatrix<Scalar> EdgeSystem::hessian(const hyperbolic::Metric<Scalar>& lengths) const {
-  SquareMatrix<Scalar> h(static_cast<int>(free_.size()));
+  SquareMatrix<Scalar> h(unknowns_);
   for (int t = 0; t < skeleton_.tetrahedron_count(); ++t) {
     const auto slopes = hyperbolic::angle_jacobian(hyperbolic::lengths_at(skeleton_, lengths, t),
                                                    hyperbolic::types_at(skeleton_, types_, t));
     for (int e = 0; e < 6; ++e) {
-      const int row = place_[skeleton_.edge({t, e}).value];
+      const int row = place_[skeleton_.edge({t, e})];
       for (int f = 0; f < 6; ++f) {
-        const int column = place_[skeleton_.edge({t, f}).value];
+        const int column = place_[skeleton_.edge({t, f})];
         if (row >= 0 && column >= 0) h(row, column) += slopes[e][f];
       }
     }
@@ -104,12 +115,9 @@ std::optional<Ball> EdgeSystem::volume(const hyperbolic::Metric<Ball>& lengths) 
   return sum;
 }
 
-#define TETRARCH_INSTANTIATE(Scalar)                                                                         \
-  template std::optional<hyperbolic::Metric<Scalar>> EdgeSystem::curvature(                                  \
-      const hyperbolic::Metric<Scalar>&) const;                                                              \
-  template SquareMatrix<Scalar> EdgeSystem::hessian(const hyperbolic::Metric<Scalar>&) const;
-TETRARCH_INSTANTIATE(double)
-TETRARCH_INSTANTIATE(numeric::Ball)
-#undef TETRARCH_INSTANTIATE
+template std::optional<hyperbolic::Metric<Ball>> EdgeSystem::curvature(const hyperbolic::Metric<Ball>&) const;
+template std::vector<Ball> EdgeSystem::equations(const hyperbolic::Metric<Ball>&) const;
+template SquareMatrix<double> EdgeSystem::hessian(const hyperbolic::Metric<double>&) const;
+template SquareMatrix<Ball> EdgeSystem::hessian(const hyperbolic::Metric<Ball>&) const;
 
 } // namespace tetrarch::verified

@@ -24,21 +24,29 @@ struct SquareMatrix {
   }
 };
 
-/// A closed gluing without finite vertices.
+/// A closed gluing without finite vertices. Each unknown is the length of one edge, or of several that are to
+/// be equal; its equation is the sum of their curvatures.
 class EdgeSystem {
 public:
   explicit EdgeSystem(const Skeleton& skeleton);
+  /// One unknown for each block of edges: those of equal number, from 0 on. No length is fixed.
+  EdgeSystem(const Skeleton& skeleton, const Table<EdgeId, int>& block);
 
   const std::vector<EdgeId>& fixed() const { return fixed_; }
-  /// The edges whose lengths are unknown and whose equations are kept.
-  const std::vector<EdgeId>& free() const { return free_; }
+  int unknowns() const { return unknowns_; }
+  /// The unknown that is the length of this edge; -1 where it is fixed.
+  int unknown(EdgeId e) const { return place_[e]; }
+  bool has_cusps() const { return cusps_ > 0; }
   /// The cusps' identities are independent; it has never been otherwise.
   bool is_square() const { return static_cast<int>(fixed_.size()) == cusps_; }
 
   /// K of every edge; nothing unless every tetrahedron exists at all of these lengths.
   template <class Scalar>
   std::optional<hyperbolic::Metric<Scalar>> curvature(const hyperbolic::Metric<Scalar>& lengths) const;
-  /// -dK/dl among the free edges, of tetrahedra that exist.
+  /// The left sides: curvatures of the edges that are not fixed, those of one unknown added up.
+  template <class Scalar>
+  std::vector<Scalar> equations(const hyperbolic::Metric<Scalar>& curvature) const;
+  /// Minus the derivatives of the left sides by the unknowns, of tetrahedra that exist.
   template <class Scalar>
   SquareMatrix<Scalar> hessian(const hyperbolic::Metric<Scalar>& lengths) const;
   /// The sum of the tetrahedra's volumes; nothing unless they exist.
@@ -51,8 +59,8 @@ private:
   Table<VertexId, hyperbolic::VertexType> types_;
   int cusps_ = 0;
   std::vector<EdgeId> fixed_;
-  std::vector<EdgeId> free_;
-  std::vector<int> place_; ///< of each edge among the free ones, or -1
+  int unknowns_ = 0;
+  Table<EdgeId, int> place_;
 };
 
 } // namespace tetrarch::verified

@@ -37,11 +37,11 @@ std::optional<SquareMatrix<double>> approximate_inverse(const EdgeSystem& system
   return inverse;
 }
 
-/// Y k, for the free edges.
-std::vector<Ball> applied(const SquareMatrix<double>& y, const Lengths& k, const std::vector<EdgeId>& free) {
-  std::vector<Ball> step(free.size(), Ball(0));
+/// Y times the left sides.
+std::vector<Ball> applied(const SquareMatrix<double>& y, const std::vector<Ball>& left) {
+  std::vector<Ball> step(left.size(), Ball(0));
   for (int i = 0; i < y.size; ++i)
-    for (int j = 0; j < y.size; ++j) step[i] += y(i, j) * k[free[j]];
+    for (int j = 0; j < y.size; ++j) step[i] += y(i, j) * left[j];
   return step;
 }
 
@@ -68,42 +68,64 @@ public:
   }
 
   Certification run(const SquareMatrix<double>& y) {
-    if (!refine(y)) return {std::nullopt, missing_tetrahedron};
+    const auto step = last_step(y);
+    if (!step) return {std::nullopt, missing_tetrahedron};
+    const auto radius = smallest_radius(y, *step);
+    if (!radius) return {std::nullopt, "no box of lengths is mapped into its inside"};
+    return proof(*radius);
+  }
+
+  /// The box of a zero that is the only one within `reach`, where no curvature changes by as much as 1.
+  std::optional<Lengths> run_alone(const SquareMatrix<double>& y, const Ball& reach) {
+    const auto step = last_step(y);
+    if (!step || !maps_into_itself(y, *step, reach) || !(total_slope_ * reach < 1)) return std::nullopt;
+    const auto radius = smallest_radius(y, *step);
+    if (!radius) return std::nullopt;
+    return box(*radius);
+  }
+
+private:
+  /// Newton's step from the refined midpoints.
+  std::optional<std::vector<Ball>> last_step(const SquareMatrix<double>& y) {
+    if (!refine(y)) return std::nullopt;
     const auto k = system_.curvature(middle_);
-    if (!k) return {std::nullopt, missing_tetrahedron};
-    const std::vector<Ball> step = applied(y, *k, system_.free());
+    if (!k) return std::nullopt;
+    return applied(y, system_.equations(*k));
+  }
+
+  std::optional<Ball> smallest_radius(const SquareMatrix<double>& y, const std::vector<Ball>& step) {
     Ball radius = exactly(2 * largest(step));
     if (radius == Ball(0) && y.size > 0) radius = ldexp(Ball(1), -numeric::bits<Ball>());
     for (int attempt = 0; attempt < radii; ++attempt, radius = ldexp(radius, larger)) {
       progress_.step("certifying");
-      if (maps_into_itself(y, step, radius)) return proof(radius);
+      if (maps_into_itself(y, step, radius)) return radius;
     }
-    return {std::nullopt, "no box of lengths is mapped into its inside"};
+    return std::nullopt;
   }
 
-private:
   /// Moves the midpoints to within rounding of a zero, if there is one near by.
   bool refine(const SquareMatrix<double>& y) {
     const int bits = numeric::bits<Ball>();
-    const int steps = 2 + bits / bits_per_step;
+    // From doubles: one step to leave their rounding behind, and one more for each 45 bits beyond them.
+    const int steps = bits <= 53 ? 1 : 2 + (bits - 53) / bits_per_step;
     for (int n = 1; n <= steps; ++n) {
       progress_.step("refining");
       const numeric::WorkingPrecision enough(std::min(bits, bits_per_step * (n + 2)));
       const auto k = system_.curvature(middle_);
       if (!k) return false;
-      const std::vector<Ball> step = applied(y, *k, system_.free());
+      const std::vector<Ball> step = applied(y, system_.equations(*k));
       const numeric::WorkingPrecision full(bits);
-      for (std::size_t i = 0; i < step.size(); ++i) {
-        Ball& m = middle_[system_.free()[i]];
-        m = numeric::midpoint(m + numeric::midpoint(step[i]));
-      }
+      for (const EdgeId e : all<EdgeId>(middle_.size()))
+        if (system_.unknown(e) >= 0)
+          middle_[e] = numeric::midpoint(middle_[e] + numeric::midpoint(step[system_.unknown(e)]));
     }
     return true;
   }
 
   Lengths box(const Ball& radius) const {
     Lengths lengths = middle_;
-    for (const EdgeId e : system_.free()) lengths[e] = widened(lengths[e], radius);
+    for (const EdgeId e : all<EdgeId>(lengths.size()))
+      if (system_.unknown(e) >= 0) lengths[e] = widened(lengths[e], radius);
     return lengths;
   }
 
@@ -187,6 +209,25 @@ Certification certify(const Triangulation& tri, const Skeleton& skeleton,
     if (last.proof) break;
   }
   return last;
+}
+
+std::optional<hyperbolic::Metric<Ball>> solve_merged(const Skeleton& skeleton,
+                                                     const Table<EdgeId, int>& block,
+                                                     const hyperbolic::Metric<double>& start, double reach,
+                                                     const Progress& progress) {
+  const EdgeSystem system(skeleton, block);
+  if (system.has_cusps()) return std::nullopt;
+  std::vector<double> sum(static_cast<std::size_t>(system.unknowns()), 0);
+  std::vector<int> count(sum.size(), 0);
+  for (const EdgeId e : all<EdgeId>(start.size())) {
+    sum[block[e]] += start[e];
+    ++count[block[e]];
+  }
+  hyperbolic::Metric<double> even = start;
+  for (const EdgeId e : all<EdgeId>(start.size())) even[e] = sum[block[e]] / count[block[e]];
+  const auto y = approximate_inverse(system, even);
+  if (!y) return std::nullopt;
+  return Attempt(system, even, progress).run_alone(*y, reach);
 }
 
 Certification certify_to(int digits, const Triangulation& tri, const Skeleton& skeleton,

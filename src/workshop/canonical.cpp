@@ -61,7 +61,10 @@ void prove(Canonical& c, const Progress& progress) {
     c.proof.why_not = "the structure is not certified: " + certified.why_not;
     if (!certified.proof) continue;
     const numeric::WorkingPrecision precision(bits);
-    c.proof = canonical::certify_cells(c.triangulation, skeleton, certified.proof->lengths, c.flat);
+    const auto merged = [&](const Table<EdgeId, int>& block, double reach) {
+      return verified::solve_merged(skeleton, block, structure.lengths, reach, progress);
+    };
+    c.proof = canonical::certify_cells(c.triangulation, skeleton, certified.proof->lengths, c.flat, merged);
     if (c.proof.certified) return;
   }
 }
@@ -186,8 +189,8 @@ std::optional<IsometryAnswer> differ_in_volume(const hyperbolic::Search& x, cons
   for (int k = 0; k < 2; ++k) {
     const hyperbolic::Search& search = k == 0 ? x : y;
     if (search.structure.outcome != Outcome::geometric) return std::nullopt;
-    const auto certified =
-        verified::certify(search.triangulation, Skeleton(search.triangulation), search.structure, {}, progress);
+    const auto certified = verified::certify(search.triangulation, Skeleton(search.triangulation),
+                                             search.structure, {}, progress);
     if (!certified.proof) return std::nullopt;
     volume[k] = certified.proof->volume;
     interval[k] = verified::volume_interval(*certified.proof);
@@ -372,7 +375,7 @@ const FieldList<Cells>& fields_of<Cells>() {
        [](C c) -> Tree { return c.canonical->proof.why_not; },
        is_not_proved},
       {{"criteria", "",
-        "what proves each cell: tetrahedron, or how it is proved flat (R: orbits, F: one line)"},
+        "what proves each cell: tetrahedron, or how it is proved flat (R: orbits, F: one line, B: blocks)"},
        [](C c) { return criteria_of(c.canonical->proof); },
        is_proved},
       {{"tetrahedra", "", "number of tetrahedra of the subdivided cells"},

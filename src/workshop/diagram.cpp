@@ -7,7 +7,10 @@
 #include "tetrarch/diagram/read.hpp"
 #include "tetrarch/diagram/write.hpp"
 #include "tetrarch/format/text.hpp"
+#include "tetrarch/hyperbolic/search.hpp"
 #include "tetrarch/workshop/text.hpp"
+
+#include <algorithm>
 
 namespace tetrarch::workshop {
 namespace {
@@ -20,6 +23,25 @@ bool is_alternating(const diagram::Diagram& diagram) {
       return false;
   }
   return true;
+}
+
+bool has_vertices(const diagram::Diagram& diagram) {
+  return std::any_of(diagram.nodes().begin(), diagram.nodes().end(),
+                     [](const diagram::Node& n) { return !n.crossing && n.darts.size() > 2; });
+}
+
+/// Half of the double's structure; of a link that of the exterior, whose meridians are parabolic anyway.
+Exterior::Parabolic parabolic(const diagram::Diagram& diagram, const Exterior& x,
+                              const ExteriorOptions& options, const Progress& progress) {
+  const bool halves = has_vertices(diagram);
+  const Triangulation tri =
+      halves && !x.is_double ? diagram::doubled_exterior(diagram, {options.seed}, progress) : x.triangulation;
+  hyperbolic::SearchOptions how;
+  how.seed = options.seed;
+  const hyperbolic::Search found = hyperbolic::find_structure(tri, how, progress);
+  const bool good = found.structure.outcome == hyperbolic::Outcome::geometric && found.filled_spheres == 0;
+  return {good, good ? found.structure.volume / (halves ? 2 : 1) : 0,
+          (halves ? "half of the double: " : "") + describe(found)};
 }
 
 Tree meridians_tree(const Exterior& x) {
@@ -45,8 +67,9 @@ diagram::Diagram open_diagram(const std::string& what, const OpenOptions& option
                               const Progress& progress) {
   if (diagram::looks_like_diagram(what)) return diagram::read_diagram(what, "the code given");
   if (!is_file(what, options.locate))
-    throw InputError(in_quotes(what) + " is no file and no code of a diagram (expected embedding, PD, X[...], "
-                                       "braid, DT or Gauss)");
+    throw InputError(in_quotes(what) +
+                     " is no file and no code of a diagram (expected embedding, PD, X[...], "
+                     "braid, DT or Gauss)");
   const std::string source = format::source_name(what);
   const std::string text = format::read_file(located(what, options.locate));
   if (diagram::looks_like_diagram(text) || !diagram::looks_like_curve(text))
@@ -87,10 +110,15 @@ Rows rows_of(const DiagramFacts& f) {
 }
 
 Exterior exterior(const diagram::Diagram& diagram, const ExteriorOptions& options, const Progress& progress) {
+  if (options.doubled && !has_vertices(diagram))
+    throw InputError("there is no vertex of valence 3 or more, along whose sphere a double could be glued");
   Exterior x;
   x.diagram = facts(diagram);
   x.wirtinger = diagram::wirtinger(diagram);
-  x.triangulation = diagram::exterior(diagram, {options.seed}, progress);
+  x.is_double = options.doubled;
+  x.triangulation = options.doubled ? diagram::doubled_exterior(diagram, {options.seed}, progress)
+                                    : diagram::exterior(diagram, {options.seed}, progress);
+  if (options.parabolic) x.parabolic = parabolic(diagram, x, options, progress);
   x.info = info(x.triangulation, options.name, false, progress);
   return x;
 }
@@ -100,6 +128,10 @@ Rows rows_of(const Exterior& x, const std::string& signature) {
             {"components", std::to_string(x.diagram.components)}};
   const Rows info = rows_of(x.info, signature);
   rows.insert(rows.end(), info.begin(), info.end());
+  if (x.parabolic)
+    rows.insert(rows.end(), {{"parabolic", x.parabolic->found ? "volume " + fixed(x.parabolic->volume, 12)
+                                                              : std::string("no structure found")},
+                             {"", x.parabolic->how}});
   return rows;
 }
 
@@ -117,7 +149,8 @@ const FieldList<DiagramFacts>& fields_of<DiagramFacts>() {
       {{"parts", "", "number of connected components of the plane picture"},
        [](F f) -> Tree { return f.parts; }},
       {{"regions", "", "number of regions of the plane"}, [](F f) -> Tree { return f.regions; }},
-      {{"alternating", "", "whether each arc between two crossings passes over at one and under at the other"},
+      {{"alternating", "",
+        "whether each arc between two crossings passes over at one and under at the other"},
        [](F f) -> Tree { return f.alternating; }},
       {{"code", "", "planar diagram code"}, [](F f) -> Tree { return f.code; }}};
   return fields;
@@ -133,6 +166,12 @@ const FieldList<Exterior>& fields_of<Exterior>() {
        [](X x) -> Tree { return x.diagram.components; }},
       {{"meridians", "", "of each edge of the graph its meridian, a word in the group \"wirtinger\""},
        meridians_tree},
+      {{"parabolic_volume", "curvature -1",
+        "volume of the structure whose meridians are parabolic, with totally geodesic spheres at the "
+        "vertices; "
+        "null where none was found"},
+       [](X x) { return x.parabolic->found ? Tree(x.parabolic->volume) : Tree(); },
+       [](X x) { return x.parabolic.has_value(); }},
       {{"wirtinger", "", "the group as the diagram gives it; generators are meridians"}, wirtinger_tree}};
   return fields;
 }
@@ -140,7 +179,8 @@ const FieldList<Exterior>& fields_of<Exterior>() {
 template <>
 Tree tree_of<Exterior>(const Exterior& x) {
   Tree tree = tree_of(x.info);
-  for (const Field<Exterior>& field : fields_of<Exterior>()) tree[field.name] = field.value(x);
+  for (const Field<Exterior>& field : fields_of<Exterior>())
+    if (field.present == nullptr || field.present(x)) tree[field.name] = field.value(x);
   return tree;
 }
 

@@ -65,10 +65,10 @@ Verdict FilledSolid::verdict() const {
   return doubts().empty() ? Verdict::yes : Verdict::undecided;
 }
 
-FilledSolid filled_solid(const product::Solid& solid, const FillingOptions& options,
+FilledSolid filled_solid(const product::Solid& solid, const hex::FillOptions& options,
                          const Progress& progress) {
   const auto start = std::chrono::steady_clock::now();
-  FilledSolid result{hex::fill(solid, options.fill, progress), options, 0};
+  FilledSolid result{hex::fill(solid, options, progress), options, 0};
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return result;
 }

@@ -7,24 +7,30 @@
 #include "tetrarch/core/signature.hpp"
 #include "tetrarch/verified/structure.hpp"
 
+#include <optional>
 #include <string>
+#include <utility>
 
 namespace tetrarch::support {
 
-/// The lengths of a structure on this triangulation, certified; empty if they are not.
-inline hyperbolic::Metric<numeric::Ball> certified_lengths(const Triangulation& tri) {
+/// What is proved of the cells that these faces make of a triangulation; nothing where no structure is
+/// certified on it.
+inline std::optional<canonical::CellsProof> proof_of_cells(const Triangulation& tri,
+                                                           const canonical::FlatFaces& flat) {
   const Skeleton skeleton(tri);
   const auto found = hyperbolic::hyperbolize(tri, skeleton);
-  if (found.outcome != hyperbolic::Outcome::geometric) return {};
+  if (found.outcome != hyperbolic::Outcome::geometric) return std::nullopt;
   const auto result = verified::certify(tri, skeleton, found);
-  return result.proof ? result.proof->lengths : hyperbolic::Metric<numeric::Ball>();
+  if (!result.proof) return std::nullopt;
+  const auto merged = [&](const Table<EdgeId, int>& block, double reach) {
+    return verified::solve_merged(skeleton, block, found.lengths, reach);
+  };
+  return canonical::certify_cells(tri, skeleton, result.proof->lengths, flat, merged);
 }
 
 /// The cells, proved if that succeeds.
 inline canonical::Canonical proved(canonical::Canonical c) {
-  const auto lengths = certified_lengths(c.triangulation);
-  if (lengths.size() > 0)
-    c.proof = canonical::certify_cells(c.triangulation, Skeleton(c.triangulation), lengths, c.flat);
+  if (auto proof = proof_of_cells(c.triangulation, c.flat)) c.proof = *std::move(proof);
   return c;
 }
 

@@ -37,7 +37,9 @@ Curve both(const Curve& a, const Curve& b) {
 }
 
 Curve random_polygon(int points, SplitMix64& random) {
-  return closed_curve(points, [&](double) { return Point{random.uniform(), random.uniform(), random.uniform()}; });
+  return closed_curve(points, [&](double) {
+    return Point{random.uniform(), random.uniform(), random.uniform()};
+  });
 }
 
 /// Gauss's integral for two polygons: a sum over pairs of segments of the solid angle of their differences,
@@ -119,7 +121,8 @@ TEST_CASE("linking numbers of random polygons are those of Gauss's integral", "[
 
 TEST_CASE("the view does not matter, nor does reduction", "[curve]") {
   const Curve figure_eight = closed_curve(80, [](double t) {
-    return Point{(2 + std::cos(2 * t)) * std::cos(3 * t), (2 + std::cos(2 * t)) * std::sin(3 * t), std::sin(4 * t)};
+    return Point{(2 + std::cos(2 * t)) * std::cos(3 * t), (2 + std::cos(2 * t)) * std::sin(3 * t),
+                 std::sin(4 * t)};
   });
   for (std::uint64_t seed = 1; seed <= 10; ++seed) {
     CHECK(identify::identify(exterior(project(figure_eight, "test", {seed, 1}))).name ==
@@ -150,7 +153,8 @@ TEST_CASE("random polygons keep their manifold under other views and reduction",
 
 TEST_CASE("a graph in space", "[curve]") {
   // A tetrahedron's edges, each divided once: K4 without knots.
-  const std::string k4 = "v 0 0 0\nv 1 0 0.1\nv 0 1 0.2\nv 0.3 0.3 1\nl 1 2\nl 1 3\nl 1 4\nl 2 3\nl 3 4 \nl 4 2\n";
+  const std::string k4 =
+      "v 0 0 0\nv 1 0 0.1\nv 0 1 0.2\nv 0.3 0.3 1\nl 1 2\nl 1 3\nl 1 4\nl 2 3\nl 3 4 \nl 4 2\n";
   const Diagram d = project(read_curve(k4, "test"), "test");
   CHECK(vertex_count(d) == 4);
   CHECK(edges(d).count == 6);
@@ -179,8 +183,10 @@ TEST_CASE("bad curves are refused with the place", "[curve]") {
   CHECK(refusal_of("0 0 0\n2 0 0\n2 2 0\n1 1 1\n1 0 0\n1 1 -1\n0 2 0\n").find("meet") != std::string::npos);
   // There and back.
   CHECK(refusal_of("0 0 0\n2 0 0\n1 0 0\n1 1 1\n").find("meet") != std::string::npos);
-  CHECK(refusal_of("v 0 0 0\nv 1 0 0\nl 1 3\n") == "test:3: found '3', expected the number of a vertex above");
-  CHECK(refusal_of("v 0 0 0\nv 1 0 0\nl 1 2\nl 2 1\n") == "test: the segment of points 1 and 0 is given twice");
+  CHECK(refusal_of("v 0 0 0\nv 1 0 0\nl 1 3\n") ==
+        "test:3: found '3', expected the number of a vertex above");
+  CHECK(refusal_of("v 0 0 0\nv 1 0 0\nl 1 2\nl 2 1\n") ==
+        "test: the segment of points 1 and 0 is given twice");
   CHECK(refusal_of("1e308 0 0\n-1e308 1 0\n0 0 1e308\n") != "done");
 }
 

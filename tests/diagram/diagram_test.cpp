@@ -55,9 +55,10 @@ bool are_same(const Diagram& a, const Diagram& b) {
 } // namespace
 
 TEST_CASE("the code of a knot is that of the same diagram", "[diagram]") {
-  for (const char* code : {"PD[X[1, 4, 2, 5], X[3, 6, 4, 1], X[5, 2, 6, 3]]", "DT[4, 6, 8, 2]", "DT[4, 8, 10, 2, 6]",
-                           "embedding:4 { 0: (4, 5, 6), 1: (3, 6, 5), 2: (3, 4, 6, 6), 3: (1, 5, 4, 2), "
-                           "4: (0, 2, 3, 5), 5: (0, 4, 3, 1), 6: (0, 1, 2, 2) }"}) {
+  for (const char* code :
+       {"PD[X[1, 4, 2, 5], X[3, 6, 4, 1], X[5, 2, 6, 3]]", "DT[4, 6, 8, 2]", "DT[4, 8, 10, 2, 6]",
+        "embedding:4 { 0: (4, 5, 6), 1: (3, 6, 5), 2: (3, 4, 6, 6), 3: (1, 5, 4, 2), "
+        "4: (0, 2, 3, 5), 5: (0, 4, 3, 1), 6: (0, 1, 2, 2) }"}) {
     const Diagram d = read(code);
     const std::string written = planar_diagram_code(d);
     INFO(written);
@@ -79,10 +80,11 @@ TEST_CASE("the trefoil's diagram has what one counts on paper", "[diagram]") {
 }
 
 TEST_CASE("codes of one diagram have the same counts", "[diagram]") {
-  for (const char* code : {"braid 1 -2 1 -2", "Braid[3, {1, -2, 1, -2}]", "BR(3, [1, -2, 1, -2])", "DT[4, 6, 8, 2]",
-                           "DT: [(4, 6, 8, 2)]", "DT[dadbcda]", "Gauss[-1, 2, -3, 1, -4, 3, -2, 4]",
-                           "U1-O2-U3-O1-U4-O3-U2-O4", "[[4, 2, 5, 1], [8, 6, 1, 5], [6, 3, 7, 4], [2, 7, 3, 8]]",
-                           "PD: [(4, 2, 5, 1), (8, 6, 1, 5), (6, 3, 7, 4), (2, 7, 3, 8)]"}) {
+  for (const char* code :
+       {"braid 1 -2 1 -2", "Braid[3, {1, -2, 1, -2}]", "BR(3, [1, -2, 1, -2])", "DT[4, 6, 8, 2]",
+        "DT: [(4, 6, 8, 2)]", "DT[dadbcda]", "Gauss[-1, 2, -3, 1, -4, 3, -2, 4]", "U1-O2-U3-O1-U4-O3-U2-O4",
+        "[[4, 2, 5, 1], [8, 6, 1, 5], [6, 3, 7, 4], [2, 7, 3, 8]]",
+        "PD: [(4, 2, 5, 1), (8, 6, 1, 5), (6, 3, 7, 4), (2, 7, 3, 8)]"}) {
     INFO(code);
     const Diagram d = read(code);
     CHECK(looks_like_diagram(code));
@@ -107,8 +109,8 @@ TEST_CASE("diagrams of graphs, of several parts and without crossings", "[diagra
 }
 
 TEST_CASE("writing a code and reading it gives the diagram", "[diagram]") {
-  for (const char* code : {"braid 1 -2 1 -2", "braid 1 1", "braid 1", "V[1, 2, 3] V[3, 2, 1]", "Loop[1] Loop[7]",
-                           "V[1, 1]", "V[1, 1, 2] V[2, 3, 3]", "V[1]V[1]",
+  for (const char* code : {"braid 1 -2 1 -2", "braid 1 1", "braid 1", "V[1, 2, 3] V[3, 2, 1]",
+                           "Loop[1] Loop[7]", "V[1, 1]", "V[1, 1, 2] V[2, 3, 3]", "V[1]V[1]",
                            "embedding:2 { 0: (3, 4, 5), 1: (2, 5, 4), 2: (1, 3, 5, 5), 3: (0, 2, 4, 4), "
                            "4: (0, 3, 3, 1), 5: (0, 1, 2, 2) }"}) {
     const Diagram d = read(code);
@@ -129,12 +131,14 @@ TEST_CASE("bad codes are refused with their place", "[diagram]") {
   CHECK(refusal("PD[X[1, 2, 3, 4]]") == "test:1: arc 1 has 1 end (expected 2)");
   CHECK(refusal("X[1, 1, 1, 2] V[2]") == "test:1: arc 1 has 3 ends (expected 2)");
   CHECK(refusal("X[1, 1, 2]") == "test:1: a crossing has 3 arcs (expected 4)");
-  CHECK(refusal("[[1, 2, 3, 4], [1, 2, 3, 4]]") ==
-        "test: no diagram: the order of the arcs round the nodes is that of a surface of genus 1 (expected the plane)");
+  CHECK(refusal("[[1, 2, 3, 4], [1, 2, 3, 4]]") == "test: no diagram: the order of the arcs round the nodes "
+                                                   "is that of a surface of genus 1 (expected the plane)");
   CHECK(refusal("PD[X[1, 2, 2, 1]") == "test:1: the code ends (expected ']')");
   CHECK(refusal("PD[X[1, b, 2, 1]]") == "test:1: found 'b' (expected the number of an arc)");
-  CHECK(refusal("braid 1 0") == "test:1: a generator of the braid group is 0 (expected 1, 2, ... or -1, -2, ...)");
-  CHECK(refusal("braid 1\n2 x") == "test:2: found 'x' (expected a generator of the braid group, a number other than 0)");
+  CHECK(refusal("braid 1 0") ==
+        "test:1: a generator of the braid group is 0 (expected 1, 2, ... or -1, -2, ...)");
+  CHECK(refusal("braid 1\n2 x") ==
+        "test:2: found 'x' (expected a generator of the braid group, a number other than 0)");
   CHECK(refusal("Braid[2, {3}]") == "test:1: the braid has 2 strands, and a generator needs 4");
   CHECK(refusal("DT[4, 6, 3]") == "test:1: found 3 (expected even numbers from 2 to 6)");
   CHECK(refusal("DT[4, 4, 2]") == "test:1: the DT code lists 4 twice");
@@ -153,8 +157,8 @@ TEST_CASE("bad codes are refused with their place", "[diagram]") {
 }
 
 TEST_CASE("a code is told from other texts", "[diagram]") {
-  for (const char* text : {"cPcbbbiht", "m004", "4_1", "< a | >", "{ \"format\": 1 }", "x", "vertex", "braid", "[1, 2]",
-                           "DT", "OFF", "o 3"})
+  for (const char* text : {"cPcbbbiht", "m004", "4_1", "< a | >", "{ \"format\": 1 }", "x", "vertex", "braid",
+                           "[1, 2]", "DT", "OFF", "o 3"})
     CHECK(looks_like_diagram(text) == (std::string(text) == "o 3"));
 }
 

@@ -28,7 +28,8 @@ Diagram with_random_move(const Diagram& d, int most_crossings, SplitMix64& rando
   const int dart = random.below(d.dart_count());
   const bool grow = crossing_count(d) < most_crossings;
   switch (random.below(7)) {
-  case 0: return grow ? with_kinks(d, {{dart, random.below(2) == 0, random.below(2) == 0}}) : d;
+  case 0:
+    return grow ? with_kinks(d, {{dart, random.below(2) == 0, random.below(2) == 0}}) : d;
   case 1: {
     if (!grow) return d;
     const int other = random.below(d.dart_count());
@@ -37,14 +38,18 @@ Diagram with_random_move(const Diagram& d, int most_crossings, SplitMix64& rando
     if (dart == other || other == d.opposite(dart) || !(apart || beside)) return d;
     return with_poke(d, {dart, other, random.below(2) == 0});
   }
-  case 2: return is_kink(d, dart) ? without_kink(d, dart) : d;
+  case 2:
+    return is_kink(d, dart) ? without_kink(d, dart) : d;
   case 3: {
     const bool at_vertex = !d.at_crossing(dart) && d.node(d.node_of(dart)).darts.size() > 2;
     return grow && at_vertex ? with_twist(d, dart, random.below(2) == 0) : d;
   }
-  case 4: return is_twist(d, dart) ? without_twist(d, dart) : d;
-  case 5: return is_poke(d, dart) ? without_poke(d, dart) : d;
-  default: return is_triangle(d, dart) ? with_triangle_turned(d, dart) : d;
+  case 4:
+    return is_twist(d, dart) ? without_twist(d, dart) : d;
+  case 5:
+    return is_poke(d, dart) ? without_poke(d, dart) : d;
+  default:
+    return is_triangle(d, dart) ? with_triangle_turned(d, dart) : d;
   }
 }
 
@@ -113,7 +118,8 @@ TEST_CASE("random moves keep the exterior", "[diagram-moves]") {
   int changed = 0;
   for (const char* code :
        {"braid 1 -2 1 -2", "braid 1 -2 1 -2 -2", "braid 1 -2 1 -2 1 -2", "DT[4, 8, 10, 2, 6]",
-        "PD[V[1, 4, 9], V[3, 8, 13], X[10, 6, 11, 7], X[5, 2, 6, 3], X[1, 11, 2, 12], X[12, 5, 13, 4], X[7, 9, 8, 10]]",
+        "PD[V[1, 4, 9], V[3, 8, 13], X[10, 6, 11, 7], X[5, 2, 6, 3], X[1, 11, 2, 12], X[12, 5, 13, 4], X[7, "
+        "9, 8, 10]]",
         "PD[V[1, 4, 9], V[3, 10, 15], X[7, 11, 8, 12], X[12, 6, 13, 7], X[5, 2, 6, 3], X[1, 13, 2, 14], "
         "X[14, 5, 15, 4], X[10, 8, 11, 9]]"}) {
     const Diagram first = read(code);

@@ -56,8 +56,8 @@ std::string description(const Triangulation& tri) {
   return text;
 }
 
-/// Half the sum of the Euler characteristics of the boundary: of the exterior of a graph with v vertices and e
-/// edges in a closed manifold, v - e.
+/// Half the sum of the Euler characteristics of the boundary: of the exterior of a graph with v vertices and
+/// e edges in a closed manifold, v - e.
 int half_boundary_euler(const Triangulation& tri) {
   int sum = 0;
   for (const BoundaryComponent& b : boundary_components(tri, Skeleton(tri))) sum += b.type.euler;
@@ -133,7 +133,8 @@ private:
   std::map<FaceId, int> generator_;
 };
 
-/// Connected valid gluings of up to two tetrahedra, with or without boundary and ideal vertices; every so many.
+/// Connected valid gluings of up to two tetrahedra, with or without boundary and ideal vertices; every so
+/// many.
 template <class Visit>
 void for_each_manifold(int every, Visit visit) {
   std::set<std::string> seen;
@@ -209,8 +210,7 @@ TEST_CASE("the boundary of a drilled graph has its Euler characteristic, and mer
       }
       REQUIRE(abelianized(filled).str() == first_homology(tri));
       // The whole group, where it is simple enough to be recognised.
-      const algebra::Presentation before =
-          simplified(algebra::dual_presentation(tri, skeleton).presentation);
+      const algebra::Presentation before = simplified(algebra::dual_presentation(tri, skeleton).presentation);
       if (before.generators <= 1) REQUIRE(simplified(filled) == before);
     });
   });

@@ -125,6 +125,7 @@ Run declare_hex(OptionTable& table);
 Run declare_product(OptionTable& table);
 Run declare_census_gluings(OptionTable& table);
 Run declare_census_enumerate(OptionTable& table);
+Run declare_census_merge(OptionTable& table);
 Run declare_census_validate(OptionTable& table);
 Run declare_census_list(OptionTable& table);
 Run declare_census_show(OptionTable& table);

@@ -88,6 +88,8 @@ const std::vector<Command>& commands() {
       {tables, "census enumerate",
        "classify the manifolds of N tetrahedra from nothing, one JSON object per line",
        "census enumerate --tetrahedra 2", declare_census_enumerate},
+      {tables, "census merge", "the table of work that several machines did, each a share",
+       "census merge samples/census_work.records --tetrahedra 2 -o census.json", declare_census_merge},
       {tables, "census validate", "rebuild a stored table from nothing and solve its manifolds again",
        "census validate --tetrahedra 2", declare_census_validate},
       {tables, "census list", "list the manifolds of a stored table", "census list --tetrahedra 2",

@@ -6,8 +6,10 @@
 #include "text.hpp"
 
 #include "tetrarch/core/error.hpp"
+#include "tetrarch/diagram/layout.hpp"
 #include "tetrarch/diagram/moves.hpp"
 #include "tetrarch/format/text.hpp"
+#include "tetrarch/show/diagram.hpp"
 #include "tetrarch/workshop/diagram.hpp"
 
 #include <memory>
@@ -15,8 +17,8 @@
 namespace tetrarch::program {
 namespace {
 
-constexpr const char* code_help =
-    "a code such as 'braid 1 -2 1 -2', 'PD[X[1,4,2,5], ...]' or 'DT[4,6,2]', a file of one, or a curve in space";
+constexpr const char* code_help = "a code such as 'braid 1 -2 1 -2', 'PD[X[1,4,2,5], ...]' or 'DT[4,6,2]', a "
+                                  "file of one, or a curve in space";
 
 diagram::Diagram read_diagram(const std::string& argument, const Context& context) {
   context.reads->any = true;
@@ -27,14 +29,18 @@ struct ExteriorOptions {
   std::string input;
   std::string output;
   bool mirror = false;
+  bool parabolic = false;
+  bool doubled = false;
 };
 
 Result exterior(const ExteriorOptions& options, const Context& context) {
   if (!options.output.empty()) output_format(options.output);
   diagram::Diagram diagram = read_diagram(options.input, context);
   if (options.mirror) diagram = mirrored(diagram);
-  workshop::Exterior found = workshop::exterior(diagram, {context.seed, {}}, context.progress);
+  workshop::Exterior found =
+      workshop::exterior(diagram, {context.seed, {}, options.parabolic, options.doubled}, context.progress);
   Result result;
+  if (found.parabolic && !found.parabolic->found) result.status = Status::undecided;
   result.json = tree_of(found);
   result.text = block(rows_of(found, found.info.signature));
   format::Document document = format::document_of(std::move(found.triangulation));
@@ -50,6 +56,8 @@ struct DiagramOptions {
   bool simplify = false;
 };
 
+constexpr std::size_t longest_title = 100;
+
 Result describe_diagram(const DiagramOptions& options, const Context& context) {
   require_folder(options.output);
   diagram::Diagram diagram = read_diagram(options.input, context);
@@ -59,7 +67,14 @@ Result describe_diagram(const DiagramOptions& options, const Context& context) {
   Result result;
   result.json = tree_of(found);
   result.text = block(rows_of(found));
-  if (!options.output.empty()) result.files.push_back({options.output, found.code + "\n"});
+  if (options.output.empty()) return result;
+  if (format::has_extension(options.output, ".svg")) {
+    const std::string title = options.input.substr(0, longest_title);
+    result.files.push_back(
+        {options.output, write_svg(show::drawing(layout(diagram, context.progress), title))});
+  } else {
+    result.files.push_back({options.output, found.code + "\n"});
+  }
   return result;
 }
 
@@ -69,6 +84,11 @@ Run declare_exterior(OptionTable& table) {
   const auto options = std::make_shared<ExteriorOptions>();
   table.add("DIAGRAM", options->input, code_help).required();
   table.add("--mirror", options->mirror, "take the mirror image");
+  table.add("--parabolic", options->parabolic,
+            "look for the structure in which the meridian of every edge is parabolic, and give its volume");
+  table.add(
+      "--double", options->doubled,
+      "two copies, glued along the spheres round the vertices: its structure is twice the parabolic one");
   table.add("-o,--output", options->output, "the file to write (its extension names the format)")
       .value_name("FILE");
   return [options](const Context& context) { return exterior(*options, context); };
@@ -79,7 +99,8 @@ Run declare_diagram(OptionTable& table) {
   table.add("DIAGRAM", options->input, code_help).required();
   table.add("--mirror", options->mirror, "take the mirror image");
   table.add("--simplify", options->simplify, "look for a diagram of the same with fewer crossings");
-  table.add("-o,--output", options->output, "write the planar diagram code").value_name("FILE");
+  table.add("-o,--output", options->output, "write a drawing (.svg), or the planar diagram code")
+      .value_name("FILE");
   return [options](const Context& context) { return describe_diagram(*options, context); };
 }
 

@@ -37,7 +37,8 @@ EdgeId edge_named(const std::string& word, const Skeleton& skeleton) {
   const auto tet = format::parse_integer(word.substr(0, colon));
   const std::string ends = word.substr(colon + 1);
   const bool good = tet && *tet >= 0 && *tet < skeleton.tetrahedron_count() && ends.size() == 2 &&
-                    ends[0] >= '0' && ends[0] <= '3' && ends[1] >= '0' && ends[1] <= '3' && ends[0] != ends[1];
+                    ends[0] >= '0' && ends[0] <= '3' && ends[1] >= '0' && ends[1] <= '3' &&
+                    ends[0] != ends[1];
   if (!good) throw InputError("EDGES: found " + in_quotes(word) + expected);
   return skeleton.edge(TetEdge{static_cast<int>(*tet), edge_number[ends[0] - '0'][ends[1] - '0']});
 }
@@ -87,14 +88,16 @@ Result drill(const Options& options, const Context& context) {
   } else {
     moves::TruncateOptions how;
     how.simplify.seed = context.seed;
-    tri = moves::truncate(moves::drill(document.triangulation, skeleton, edges).tri, how, context.progress).tri;
+    tri =
+        moves::truncate(moves::drill(document.triangulation, skeleton, edges).tri, how, context.progress).tri;
   }
   Info info = info_of(tri, document.name, context);
   info.json["drilled"] = drilled;
   info.json["meridians"] = std::move(meridians);
   info.json["input_tetrahedra"] = document.triangulation.size();
   result.json = std::move(info.json);
-  result.text = block({{"drilled", counted(static_cast<long long>(drilled.size()), "edge")}}) + block(info.rows);
+  result.text =
+      block({{"drilled", counted(static_cast<long long>(drilled.size()), "edge")}}) + block(info.rows);
   format::Document out = format::document_of(std::move(tri));
   if (!options.output.empty()) add_file(result, options.output, out);
   result.value = std::make_shared<Value>(std::move(out));
@@ -106,7 +109,9 @@ Result drill(const Options& options, const Context& context) {
 Run declare_drill(OptionTable& table) {
   const auto options = std::make_shared<Options>();
   table.add("X", options->input, "a triangulation or a mesh").required();
-  table.add("EDGES", options->edges, "numbers of edges, as 'skeleton X' has them: 0,3,5, or 2:01 by tetrahedron")
+  table
+      .add("EDGES", options->edges,
+           "numbers of edges, as 'skeleton X' has them: 0,3,5, or 2:01 by tetrahedron")
       .required();
   table.add("--cut", options->cut,
             "cut the edges out and leave real boundary, unsimplified, with a meridian of each edge");

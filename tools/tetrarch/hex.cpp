@@ -30,8 +30,8 @@ struct Options {
   std::optional<double> edge;
   std::optional<std::int64_t> cells;
   double sharp = hex::FillOptions{}.sharp;
-  double volume_tolerance = workshop::FillingOptions{}.volume_tolerance;
-  double hausdorff_tolerance = workshop::FillingOptions{}.hausdorff_tolerance;
+  double volume_tolerance = hex::FillOptions{}.volume_tolerance;
+  double hausdorff_tolerance = hex::FillOptions{}.hausdorff_tolerance;
   double memory = 4;
   Doctor doctor;
 };
@@ -45,11 +45,11 @@ product::Solid read_solid(const Options& options, Result& result, const Context&
   });
 }
 
-workshop::FillingOptions wanted(const Options& options, const product::Solid& solid) {
-  workshop::FillingOptions result;
-  result.fill.edge = options.edge;
-  result.fill.cells = options.cells;
-  result.fill.sharp = options.sharp;
+hex::FillOptions wanted(const Options& options, const product::Solid& solid) {
+  hex::FillOptions result;
+  result.edge = options.edge;
+  result.cells = options.cells;
+  result.sharp = options.sharp;
   result.volume_tolerance = options.volume_tolerance;
   result.hausdorff_tolerance = options.hausdorff_tolerance;
   const double edge =
@@ -94,7 +94,7 @@ Result run_hex(const Options& options, const Context& context) {
   for (const std::string& path : options.outputs) require_known(path);
   Result result;
   const product::Solid solid = read_solid(options, result, context);
-  const workshop::FilledSolid found = filled_solid(solid, wanted(options, solid), context.progress);
+  const workshop::FilledSolid found = workshop::filled_solid(solid, wanted(options, solid), context.progress);
   result.status = status_of(found.verdict());
   result.json = tree_of(found);
   result.text = block(rows_of(found));

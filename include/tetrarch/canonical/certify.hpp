@@ -21,12 +21,21 @@
 ///      the means of G_ij over the orbits are equal since the lengths are the same ones: then the orbits'
 ///      barycentres are equal, and the kernel of G is orthogonal to 1.
 ///
+///   B  Where lengths of different classes look equal, they may be so without a symmetry that says it. Make
+///      them equal: a block of such classes gets one length and one equation, the sum of their curvatures.
+///      If that system has one zero near by, symmetries that keep blocks keep the zero, and dihedral angles
+///      are equal along the orbits of edges. If all classes of a block have equally many edges in each orbit,
+///      their curvatures are equal, and so they vanish: the zero is the structure. Then R or F, with the
+///      larger group.
+///
 /// More digits never prove flatness. Source: ours; Kojima 1990 for the cells.
 
 #include "tetrarch/canonical/cells.hpp"
 #include "tetrarch/hyperbolic/metric.hpp"
 #include "tetrarch/numeric/ball.hpp"
 
+#include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -37,8 +46,9 @@ enum class Criterion {
   tetrahedron, ///< nothing to prove
   orbits,      ///< R
   one_line,    ///< F
+  blocks,      ///< B
 };
-/// "tetrahedron", "R", "F".
+/// "tetrahedron", "R", "F", "B".
 const char* to_string(Criterion criterion);
 
 /// Whether cells were proved, and how.
@@ -49,10 +59,14 @@ struct CellsProof {
   numeric::Ball least_tilt = 0;    ///< of the faces between cells
 };
 
-/// `lengths` hold those of the structure; faces marked `flat` are inside cells. O(n) where no face is flat;
-/// else the search for symmetries may take longer, within a budget.
+/// Solves for lengths that are equal in each block, with certainty, as `verified::solve_merged` does.
+using MergedSolver = std::function<std::optional<hyperbolic::Metric<numeric::Ball>>(
+    const Table<EdgeId, int>& block, double reach)>;
+
+/// `lengths` hold those of the structure; faces marked `flat` are inside cells. B needs a `solver`. O(n)
+/// where no face is flat; else the search for symmetries may take longer, within a budget.
 [[nodiscard]] CellsProof certify_cells(const Triangulation& tri, const Skeleton& skeleton,
                                        const hyperbolic::Metric<numeric::Ball>& lengths,
-                                       const FlatFaces& flat);
+                                       const FlatFaces& flat, const MergedSolver& solver = {});
 
 } // namespace tetrarch::canonical

@@ -31,8 +31,8 @@ struct Curve {
   std::vector<std::array<int, 2>> segments;
 };
 
-/// Whether the text is a list of points, three numbers a line, or Wavefront OBJ with lines ("l") and no faces.
-/// O(length).
+/// Whether the text is a list of points, three numbers a line, or Wavefront OBJ with lines ("l") and no
+/// faces. O(length).
 bool looks_like_curve(std::string_view text);
 
 /// Three numbers a line: the points of a closed curve in order; an empty line, or one without numbers,

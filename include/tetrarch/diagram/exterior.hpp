@@ -25,7 +25,8 @@ namespace tetrarch::diagram {
 /// The 3-sphere, with the graph in its edges.
 struct Sphere {
   Triangulation tri;
-  std::vector<TetEdge> arcs; ///< one for each arc that the diagram with its kinks has
+  std::vector<TetEdge> arcs;       ///< one for each arc that the diagram with its kinks has
+  std::vector<TetVertex> vertices; ///< one for each vertex of valence 3 and more
 };
 /// The diagram is made connected, and gets kinks where crushing wants them. O(darts) for one part.
 /// Throws PreconditionError for a diagram without arcs.
@@ -34,6 +35,15 @@ Sphere sphere_with(const Diagram& diagram);
 struct ExteriorOptions {
   std::uint64_t seed = 1;
 };
+
+/// Two copies of the exterior, glued along the spheres round the vertices of valence 3 and more, in which the
+/// edges end as punctures: the edges become closed, and a cusp each. Where it is hyperbolic, the reflection
+/// that exchanges the copies is an isometry, the punctured spheres are totally geodesic, and half of it is
+/// the structure on the exterior whose meridians are parabolic. So this has twice the volume of that. A
+/// component without such a vertex is there twice. Throws PreconditionError if there is no such vertex at
+/// all.
+Triangulation doubled_exterior(const Diagram& diagram, const ExteriorOptions& options = {},
+                               const Progress& progress = {});
 
 /// The exterior with few tetrahedra: all vertices ideal, a finite one only where the graph is a tree (or a
 /// component of it is and no other is left). Near-linear: 50 microseconds a crossing.

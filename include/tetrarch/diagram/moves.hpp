@@ -33,7 +33,8 @@ struct Poke {
 };
 Diagram with_poke(const Diagram& diagram, const Poke& poke);
 
-/// Whether the region to the left of the dart is that of a kink, a region with one corner, at a crossing. O(1).
+/// Whether the region to the left of the dart is that of a kink, a region with one corner, at a crossing.
+/// O(1).
 bool is_kink(const Diagram& diagram, int dart);
 /// Whether it has two corners, at two crossings, and one of its arcs passes over at both. O(1).
 bool is_poke(const Diagram& diagram, int dart);
@@ -41,8 +42,8 @@ bool is_poke(const Diagram& diagram, int dart);
 /// under at both. O(1).
 bool is_triangle(const Diagram& diagram, int dart);
 
-/// Whether it has two corners, at a vertex (of valence 3 or more) and a crossing: two edges are twisted there.
-/// The dart may be either. O(1).
+/// Whether it has two corners, at a vertex (of valence 3 or more) and a crossing: two edges are twisted
+/// there. The dart may be either. O(1).
 bool is_twist(const Diagram& diagram, int dart);
 
 /// The inverses of the first two moves, and the third: the strand that passes over the other two is pushed
@@ -59,9 +60,9 @@ Diagram with_twist(const Diagram& diagram, int dart, bool over);
 /// Without the vertices of valence 2, but for one on each circle without crossings. O(darts).
 Diagram without_points(const Diagram& diagram);
 
-/// The same graph with fewer crossings: takes kinks, pokes and twists away, and lays a strand that passes over
-/// (or under) all that it crosses along a shorter way, until nothing helps. Not always the fewest: some unknots
-/// resist. Greedy; O(darts) for each move.
+/// The same graph with fewer crossings: takes kinks, pokes and twists away, and lays a strand that passes
+/// over (or under) all that it crosses along a shorter way, until nothing helps. Not always the fewest: some
+/// unknots resist. Greedy; O(darts) for each move.
 Diagram simplified(const Diagram& diagram, const Progress& progress = {});
 
 /// The same graph as a diagram in one part: each further part is pushed over the first. Two crossings more

@@ -29,8 +29,11 @@ struct FillOptions {
   std::optional<double> edge;        ///< wanted length of edges
   std::optional<std::int64_t> cells; ///< wanted number of hexahedra; without either, `usual_cells`
   double sharp = 40;                 ///< degrees between normals, from which an edge is kept as a ridge
+  double volume_tolerance = 0.01;    ///< relative
+  double hausdorff_tolerance = 0.01; ///< in terms of the diagonal of the solid's box
 };
 
+/// What `FillOptions::cells` is where nobody said.
 constexpr std::int64_t usual_cells = 4000;
 
 struct Filling {
@@ -47,6 +50,8 @@ struct Filling {
 
   /// Relative.
   double volume_ratio() const { return volume / solid_volume; }
+  /// No scaled Jacobian below 0.2, and volume and distance within the tolerances.
+  bool is_good(const FillOptions& options) const;
 };
 
 /// The length of edges with which about so many hexahedra fill a solid.
@@ -54,8 +59,8 @@ double edge_for(const product::Solid& solid, std::int64_t cells);
 /// Bytes that `fill` takes at most for edges of this length, roughly. In double, so that nothing overflows.
 double bytes_for_edge(const product::Solid& solid, double edge);
 
-/// Nothing where no grid has the solid's genus, however fine, within eight times the number of cells. Throws
-/// Stopped.
+/// Where the result is not good the grid is made finer, by a factor of 0.8 each time; of up to three results
+/// the best is kept. Nothing where none of seven grids has the solid's genus. Throws Stopped.
 [[nodiscard]] std::optional<Filling> fill(const product::Solid& solid, const FillOptions& options = {},
                                           const Progress& progress = {});
 

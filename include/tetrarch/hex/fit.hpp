@@ -19,17 +19,21 @@
 namespace tetrarch::hex {
 
 struct FitOptions {
-  int rounds = 8;     ///< in which nearest points are found
+  int rounds = 10;     ///< in which nearest points are found
   int iterations = 40; ///< of the energy's descent in a round
-  double flat = 1e-5;     ///< gain of an iteration at which a round is over; a tenth of it in the last round
+  double flat = 1e-5;  ///< gain of an iteration at which a round is over; a tenth of it in the last round
   double weakest = 10; ///< spring, in units of the energy for a motion by the length of a cell
-  double strongest = 1000;
+  double strongest = 1e4;
   bool ends_there = true; ///< points go to their homes at last
 };
 
 /// Moves the points; `home` has one for each. O(n log n) a round.
 void fit(SizedHexahedra& hexahedra, const std::vector<Home>& home, const Targets& targets,
          const FitOptions& options = {}, const Progress& progress = {});
+
+/// Points of the surface go to their homes, or as far on the way as the hexahedra around them stay good;
+/// returns how many are not there. O(n log n).
+int land(product::HexMesh& mesh, const std::vector<Home>& home, const Targets& targets);
 
 /// The normal of the mesh's surface at each of its points, unit; zero inside. O(n log n).
 std::vector<Vector> surface_normals(const product::HexMesh& mesh);

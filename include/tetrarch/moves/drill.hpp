@@ -34,8 +34,8 @@ namespace tetrarch::moves {
 /// By crushing; or why not. `edges` says of each edge class whether it is drilled. The exterior of a tree is
 /// that of a point: the vertex that it becomes is finite, and a ball is left where the tree was. Throws
 /// PreconditionError for a stale skeleton. O(n).
-[[nodiscard]] std::variant<Triangulation, Obstacle> crushed(const Triangulation& tri, const Skeleton& skeleton,
-                                                            const Table<EdgeId, bool>& edges);
+[[nodiscard]] std::variant<Triangulation, Obstacle>
+crushed(const Triangulation& tri, const Skeleton& skeleton, const Table<EdgeId, bool>& edges);
 
 /// What cutting gives.
 struct CutOut {
@@ -50,6 +50,20 @@ struct CutOut {
 /// drilled edge is reversed. O(n).
 [[nodiscard]] CutOut cut_out(const Triangulation& tri, const Skeleton& skeleton,
                              const Table<EdgeId, bool>& edges);
+
+/// Balls round vertices cut out, and what is left of some edges.
+struct Punctured {
+  Triangulation tri; ///< a real boundary component in place of each vertex: its link, subdivided
+  /// The edges that the given ones have become, one t-edge of each.
+  std::vector<TetEdge> edges;
+};
+/// Cuts vertices out as above, and follows edges (none of which is drilled). Where an edge ended at such a
+/// vertex it now ends at the boundary. Throws PreconditionError for a stale skeleton. O(n).
+[[nodiscard]] Punctured punctured(const Triangulation& tri, const Skeleton& skeleton,
+                                  const Table<VertexId, bool>& vertices, const Table<EdgeId, bool>& followed);
+
+/// Two copies, glued along their real boundary: tetrahedron t of the second is n + t. O(n).
+[[nodiscard]] Triangulation doubled(const Triangulation& tri);
 
 /// By crushing where that is legal, else by cutting: with ideal or with real boundary.
 struct Drilling {

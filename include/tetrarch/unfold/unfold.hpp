@@ -73,10 +73,13 @@ struct Problem {
 };
 
 struct Options {
-  double theta = 0.5;       ///< how much sizes count beside angles
+  double theta = 0.5; ///< how much sizes count beside angles
+  /// The first epsilon where elements are folded, about. With 1 all becomes small at first; with less,
+  /// springs hold the whole while few elements open, but what is folded deeply may not find out.
+  double reach = 1;
   int most_rounds = 100;    ///< after which what is still folded stays so
   int iterations = 300;     ///< of L-BFGS in a round, at most
-  double flat = 1e-6;        ///< gain of an iteration, in terms of the energy, at which a round is over
+  double flat = 1e-6;       ///< gain of an iteration, in terms of the energy, at which a round is over
   double least_gain = 1e-3; ///< of the energy in a round, in terms of it: with less, and no fold, it is done
 };
 
@@ -88,8 +91,9 @@ double energy(const std::vector<Element>& elements, const std::vector<Point>& po
 std::vector<double> determinants(const std::vector<Element>& elements, const std::vector<Point>& points);
 
 struct Unfolded {
-  std::vector<Point> points;
-  int folded_before = 0; ///< elements with a determinant of 0 or less, or none at all
+  std::vector<Point> points; ///< the best
+  std::vector<Point> last;   ///< where the descent ended, whatever is folded there
+  int folded_before = 0;     ///< elements with a determinant of 0 or less, or none at all
   int folded_after = 0;
   int rounds = 0;
   int iterations = 0;

@@ -66,4 +66,13 @@ struct CertifyOptions {
                                        const hyperbolic::Hyperbolization<double>& found,
                                        const Progress& progress = {});
 
+/// The lengths at which the curvatures of each block of edges add up to 0, where the edges of a block (equal
+/// numbers, from 0 on) have equal lengths: balls for the one such metric whose lengths are all within `reach`
+/// of the balls' midpoints. On all of that box the tetrahedra exist, and no curvature changes by 1. Nothing
+/// where that is not proved, or where there are cusps. Whether the curvatures themselves vanish is another
+/// question. In the working precision; O(E^3).
+[[nodiscard]] std::optional<hyperbolic::Metric<numeric::Ball>>
+solve_merged(const Skeleton& skeleton, const Table<EdgeId, int>& block,
+             const hyperbolic::Metric<double>& start, double reach, const Progress& progress = {});
+
 } // namespace tetrarch::verified

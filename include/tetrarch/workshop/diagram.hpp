@@ -8,6 +8,7 @@
 #include "tetrarch/workshop/open.hpp"
 
 #include <cstdint>
+#include <optional>
 #include <string>
 
 namespace tetrarch::workshop {
@@ -39,12 +40,23 @@ struct Exterior {
   Info info; ///< of the triangulation
   DiagramFacts diagram;
   diagram::Wirtinger wirtinger;
+  /// Of the structure whose meridians are parabolic; filled in on demand.
+  struct Parabolic {
+    bool found = false;
+    double volume = 0;
+    std::string how; ///< a sentence: where it was found, or what was tried
+  };
+  std::optional<Parabolic> parabolic;
+  bool is_double = false; ///< the triangulation is that of diagram::doubled_exterior
 };
 
 struct ExteriorOptions {
   std::uint64_t seed = 1;
-  std::string name; ///< of the result
+  std::string name;       ///< of the result
+  bool parabolic = false; ///< look for the structure with parabolic meridians, too
+  bool doubled = false;   ///< the double instead of the exterior
 };
+/// Throws InputError if a double is asked for of a graph without vertices of valence 3 or more.
 Exterior exterior(const diagram::Diagram& diagram, const ExteriorOptions& options = {},
                   const Progress& progress = {});
 /// `signature` as of an Info.

@@ -17,16 +17,10 @@
 
 namespace tetrarch::workshop {
 
-struct FillingOptions {
-  hex::FillOptions fill;
-  double volume_tolerance = 0.01;    ///< relative
-  double hausdorff_tolerance = 0.01; ///< in terms of the diagonal of the solid's box
-};
-
 /// The hexahedra, or none where no grid fits. It owns all that it speaks of.
 struct FilledSolid {
   std::optional<hex::Filling> filling;
-  FillingOptions options;
+  hex::FillOptions options;
   double seconds = 0;
 
   /// Undecided unless there are no doubts.
@@ -36,7 +30,7 @@ struct FilledSolid {
 };
 
 /// Seconds for thousands of hexahedra. Throws Stopped.
-FilledSolid filled_solid(const product::Solid& solid, const FillingOptions& options = {},
+FilledSolid filled_solid(const product::Solid& solid, const hex::FillOptions& options = {},
                          const Progress& progress = {});
 
 Rows rows_of(const FilledSolid& found);
