@@ -13,6 +13,7 @@ import json
 import math
 import os
 import pickle
+import shlex
 import signal
 import subprocess
 import sys
@@ -164,7 +165,7 @@ class BesideTheProgram(unittest.TestCase):
                     name = command["name"]
                     if name in tt.commands.NOT_IN_PYTHON or name in ("help", "convert", "census enumerate", "census gluings"):
                         continue
-                    words = command["example"].split()[1:]
+                    words = shlex.split(command["example"])[1:]
                     words = [os.path.join(os.path.dirname(tt.__file__), w) if w.startswith("samples/") else w for w in words]
                     with self.subTest(command=name):
                         found = eval(tt.commands.example_of(command), {"tt": tt})

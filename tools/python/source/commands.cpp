@@ -11,7 +11,7 @@
 #include "tools/tetrarch/version.hpp"
 
 #include "tetrarch/core/error.hpp"
-#include "tetrarch/format/text.hpp"
+#include "tetrarch/format/new_files.hpp"
 #include "tetrarch/workshop/element.hpp"
 
 #include <pybind11/stl.h>
@@ -43,8 +43,9 @@ program::Result ran(const std::vector<std::string>& words, const program::Values
   std::set<std::filesystem::path> paths;
   program::require_different(result.files, paths);
   if (progress.stop_requested()) throw Stopped();
-  for (const program::Result::File& file : result.files)
-    format::write_file_atomically(file.path, file.content);
+  std::vector<format::NewFile> files;
+  for (const program::Result::File& file : result.files) files.push_back({file.path, file.content});
+  format::write_files_atomically(files);
   for (program::Result::File& file : result.files) file.content = {};
   return result;
 }

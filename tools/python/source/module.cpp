@@ -10,6 +10,7 @@
 
 #include <exception>
 #include <system_error>
+#include <utility>
 
 namespace tetrarch::python {
 namespace {
@@ -35,7 +36,7 @@ void raise(const py::handle& type, const std::string& message, const std::string
 
 void translate(std::exception_ptr thrown) {
   try {
-    if (thrown) std::rethrow_exception(thrown);
+    if (thrown) std::rethrow_exception(std::move(thrown));
   } catch (const InputError& e) {
     raise(input_error, e.what(), e.place.source, e.place.line);
   } catch (const PreconditionError& e) {

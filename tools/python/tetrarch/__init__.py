@@ -31,13 +31,18 @@ __all__ = ["AbelianGroup", "Cells", "Census", "CensusManifold", "Cusp", "DirectP
            "census", "census_tables", "commands", "direct_product", "open_all", "run", "slit_map"]
 
 if TYPE_CHECKING:  # otherwise they are made when they are first asked for
-    from .commands import (bundle, canonize, census_enumerate, census_gluings, census_identify, census_list, census_show,
-                           census_validate, check, convert, embed, group, help, hyperbolize, info, isometric, move, product, register,
-                           simplify, skeleton, slit, subdivide, truncate, view)
+    # Made by make_stubs.
+    # Made by make_stubs.
+    # Made by make_stubs.
+    from .commands import (bundle, canonize, census_enumerate, census_gluings, census_identify, census_list, census_merge,
+                           census_show, census_validate, check, convert, diagram, drill, embed, exterior, group, help, hex,
+                           hyperbolize, info, isometric, move, product, register, simplify, skeleton, slit, subdivide, truncate,
+                           verify, view)
 
-    __all__ += ["bundle", "canonize", "census_enumerate", "census_gluings", "census_identify", "census_list", "census_show",
-                "census_validate", "check", "convert", "embed", "group", "help", "hyperbolize", "info", "isometric",
-                "move", "product", "register", "simplify", "skeleton", "slit", "subdivide", "truncate", "view"]
+    __all__ += ["bundle", "canonize", "census_enumerate", "census_gluings", "census_identify", "census_list", "census_merge",
+                "census_show", "census_validate", "check", "convert", "diagram", "drill", "embed", "exterior", "group", "help",
+                "hex", "hyperbolize", "info", "isometric", "move", "product", "register", "simplify", "skeleton", "slit",
+                "subdivide", "truncate", "verify", "view"]
 
 
 def __getattr__(name: str) -> Any:

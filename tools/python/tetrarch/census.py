@@ -47,7 +47,7 @@ def census_tables() -> List[int]:
 
     >>> import tetrarch as tt
     >>> tt.census_tables()
-    [2, 3]
+    [2, 3, 4]
     """
     return _tetrarch.stored_tables()
 

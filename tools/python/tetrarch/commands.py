@@ -13,6 +13,7 @@ import json
 import keyword
 import operator
 import re
+import shlex
 from typing import Any, Callable, Dict, List, Optional, Tuple
 
 from . import _tetrarch
@@ -20,7 +21,7 @@ from .errors import InputError, PreconditionError, shown
 from .groups import FundamentalGroup
 from .inputs import _is_array, content_of, held, is_text, text_of
 from .progress import Progress, reporting
-from .results import Result
+from .results import Result, attribute_name
 
 #: Statuses of the program that are values here.
 _VERDICTS = {0: "yes", 1: "no", 4: "undecided"}
@@ -66,9 +67,12 @@ def keyword_name(option: Dict[str, Any]) -> str:
 
 
 def _options(command: Dict[str, Any]) -> Dict[str, Dict[str, Any]]:
-    """Its own options by their keywords, then seed and threads."""
-    common = [option for option in table()["common"] if keyword_name(option) in ("seed", "threads")]
-    return {keyword_name(option): option for option in [*command["options"], *common]}
+    """Its own options by their keywords, then those that all have; how to print is not for us."""
+    options = {keyword_name(option): option for option in command["options"]}
+    for option in table()["common"]:
+        if keyword_name(option) not in ("json", "quiet"):
+            options.setdefault(keyword_name(option), option)
+    return options
 
 
 class _Values:
@@ -115,8 +119,10 @@ def _is_list(value: Any) -> bool:
     return isinstance(value, (list, tuple, range)) or (_is_array(value) and len(value.shape) == 1)
 
 
-def _joined(value: Any, name: str) -> str:
-    """A list within an option: 3,17,20."""
+def _joined(value: Any, name: str, option: Dict[str, Any]) -> str:
+    """A list within an option: 3,17,20, or a range 9..10, of which either end may be None."""
+    if option["value"] == "A..B" and _is_list(value):
+        return "..".join("" if item is None else _word(item, name) for item in value)
     return ",".join(_word(item, name) for item in value) if _is_list(value) else _word(value, name)
 
 
@@ -141,8 +147,8 @@ def _option_words(name: str, option: Dict[str, Any], value: Any, values: _Values
             raise InputError("%s is %s (expected %d values)" % (name, shown(value), option["words"]))
         return [spelled, *(_word(item, name) for item in value)]
     if option["repeats"] and _is_list(value):
-        return ["%s=%s" % (spelled, _joined(item, name)) for item in value]
-    return ["%s=%s" % (spelled, _joined(value, name))]
+        return ["%s=%s" % (spelled, _joined(item, name, option)) for item in value]
+    return ["%s=%s" % (spelled, _joined(value, name, option))]
 
 
 def _argument_words(arguments: List[Dict[str, Any]], given: Tuple[Any, ...], values: _Values) -> List[str]:
@@ -236,9 +242,8 @@ def run(command: str, *arguments: Any, progress: Progress = None, **options: Any
 # -- results with documented fields
 
 def field_name(field: Dict[str, Any]) -> str:
-    """The attribute of a field: its name, with an underscore where Python means something else by it."""
-    name: str = field["name"]
-    return name + "_" if keyword.iskeyword(name) else name
+    """The attribute of a field: its name, as far as Python takes it for one (from_ for from, below_0_2 for below_0.2)."""
+    return attribute_name(field["name"])
 
 
 def _field_doc(field: Dict[str, Any]) -> str:
@@ -296,7 +301,7 @@ def annotation_of(option: Dict[str, Any]) -> str:
     elif option["value"] in _CONTENT_OPTIONS:
         return "Any"
     else:
-        kind = {"INT": "int", "UINT": "int", "FLOAT": "float"}.get(option["value"], "Word")
+        kind = {"INT": "int", "UINT": "int", "FLOAT": "float", "GB": "float"}.get(option["value"], "Word")
     if option["optional_value"]:
         kind = "Union[bool, %s]" % kind
     if option["repeats"] or option["words"] > 1:
@@ -324,7 +329,7 @@ def signature_of(command: Dict[str, Any]) -> inspect.Signature:
 
 def example_of(command: Dict[str, Any]) -> str:
     """The example of the command's help, as a call."""
-    words = command["example"].split()[1 + len(command["name"].split()):]
+    words = shlex.split(command["example"])[1 + len(command["name"].split()):]
     by_name = {name: (key, option) for key, option in _options(command).items() for name in option["names"]}
     arguments: List[str] = []
     options: Dict[str, Any] = {}

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import keyword
+import re
 from typing import Any, Dict, Iterator, List, Optional, Tuple
 
 __all__ = ["Record", "Result"]
@@ -15,6 +16,12 @@ def _wrapped(value: Any) -> Any:
     if isinstance(value, list):
         return [_wrapped(item) for item in value]
     return value
+
+
+def attribute_name(field: str) -> str:
+    """The name by which Python's syntax reaches a field."""
+    name = re.sub(r"\W", "_", field)
+    return name + "_" if keyword.iskeyword(name) else name
 
 
 class Record:
@@ -56,8 +63,8 @@ class Record:
         if name.startswith("__"):
             raise AttributeError(name)
         fields = self.__dict__.get("_fields", {})
-        if name.endswith("_") and keyword.iskeyword(name[:-1]):  # from_ is the field from
-            name = name[:-1]
+        if name not in fields:  # from_ is the field from
+            name = next((field for field in fields if attribute_name(field) == name), name)
         if name not in fields:
             raise AttributeError("%s has no %r (it has: %s)" % (type(self).__name__, name, ", ".join(fields)))
         return _wrapped(fields[name])
