@@ -101,7 +101,7 @@ private:
   /// Moves the point if the worst around becomes better, and says so.
   bool try_step(int v, const Vector& step, double& now) {
     const Point before = mesh_.points[v];
-    mesh_.points[v] = before + step;
+    mesh_.points[v] = options_.brought_back ? options_.brought_back(v, before + step) : before + step;
     const double there = score(v);
     if (there > now + options_.least_gain) {
       now = there;

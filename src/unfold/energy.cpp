@@ -2,7 +2,10 @@
 #include "tetrarch/core/error.hpp"
 #include "tetrarch/unfold/unfold.hpp"
 
+#include <bit>
 #include <cmath>
+#include <cstdint>
+#include <limits>
 
 namespace tetrarch::unfold {
 namespace {
@@ -24,10 +27,22 @@ double determinant(const Columns& j) {
   return dot(j[0], cross(j[1], j[2]));
 }
 
+/// x^(-1/3) of a positive number, by Newton's method for 1 / y^3 = x: a third of the time of std::cbrt, and
+/// as exact but for the last bits.
+double inverse_cube_root(double x) {
+  if (!(x >= std::numeric_limits<double>::min() && x <= std::numeric_limits<double>::max()))
+    return 1 / std::cbrt(x);
+  // A third of the exponent, the other way round; within 4 percent.
+  constexpr std::uint64_t start = 0x553ef0ff289dd796U;
+  auto y = std::bit_cast<double>(start - std::bit_cast<std::uint64_t>(x) / 3);
+  for (int k = 0; k < 4; ++k) y *= 4.0 / 3 - 1.0 / 3 * x * y * y * y;
+  return y;
+}
+
 /// chi without cancellation for D < 0, and its derivative.
 struct Chi {
   Chi(double d, double epsilon) {
-    const double root = std::hypot(d, epsilon);
+    const double root = std::sqrt(d * d + epsilon * epsilon); // half the time of hypot
     value = d >= 0 ? (d + root) / 2 : epsilon * epsilon / (root - d) / 2;
     slope = value / root;
   }
@@ -60,6 +75,11 @@ Vector Freedom::allowed(const Vector& motion) const {
   return {};
 }
 
+Vector Pull::away(const Point& p) const {
+  const Vector whole = p - target;
+  return whole - held.allowed(whole);
+}
+
 double energy(const std::vector<Element>& elements, const std::vector<Point>& points, double theta,
               double epsilon, std::vector<Vector>* gradient) {
   if (gradient != nullptr) gradient->assign(points.size(), Vector{});
@@ -69,8 +89,8 @@ double energy(const std::vector<Element>& elements, const std::vector<Point>& po
     const double d = determinant(j);
     const Chi chi(d, epsilon);
     const double trace = dot(j[0], j[0]) + dot(j[1], j[1]) + dot(j[2], j[2]);
-    const double cube_root = std::cbrt(chi.value);
-    const double scale = 1 / (cube_root * cube_root);
+    const double inverse_root = inverse_cube_root(chi.value);
+    const double scale = inverse_root * inverse_root;
     sum += e.weight * (trace * scale + theta * (d * d + 1) / chi.value);
     if (gradient == nullptr) continue;
     // By d through chi and directly, then by the entries of J.

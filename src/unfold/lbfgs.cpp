@@ -25,10 +25,11 @@ struct Pair {
   Values step;
   Values change;
   double curvature = 0; ///< their product, positive
+  double scale = 1;     ///< the product of the change and of the change preconditioned
 };
 
 /// Minus the inverse of the approximate Hessian times the gradient.
-Values direction(const std::deque<Pair>& pairs, const Values& gradient) {
+Values direction(const std::deque<Pair>& pairs, const Values& gradient, const Precondition& precondition) {
   Values d = gradient;
   std::vector<double> part(pairs.size());
   const auto add = [&](const Values& v, double factor) {
@@ -38,8 +39,9 @@ Values direction(const std::deque<Pair>& pairs, const Values& gradient) {
     part[k] = dot(pairs[k].step, d) / pairs[k].curvature;
     add(pairs[k].change, -part[k]);
   }
+  precondition(d);
   double scale = 1;
-  if (!pairs.empty()) scale = pairs.back().curvature / dot(pairs.back().change, pairs.back().change);
+  if (!pairs.empty()) scale = pairs.back().curvature / pairs.back().scale;
   for (double& x : d) x *= -scale;
   for (std::size_t k = 0; k < pairs.size(); ++k)
     add(pairs[k].step, -part[k] - dot(pairs[k].change, d) / pairs[k].curvature);
@@ -55,24 +57,25 @@ struct State {
 } // namespace
 
 Descent minimize(const std::function<double(const Values& x, Values& gradient)>& f, Values& x,
-                 int most_iterations, double least_gain, const std::function<void()>& watch) {
+                 int most_iterations, double least_gain, const std::function<void()>& watch,
+                 const Precondition& precondition) {
   State now{x, Values(x.size()), 0};
   now.value = f(now.x, now.gradient);
   Descent result;
   std::deque<Pair> pairs;
   for (; result.iterations < most_iterations; ++result.iterations) {
     watch();
-    Values d = direction(pairs, now.gradient);
+    Values d = direction(pairs, now.gradient, precondition);
     double slope = dot(d, now.gradient);
     if (!(slope < 0)) { // rounding spoiled the pairs
       pairs.clear();
-      d = direction(pairs, now.gradient);
+      d = direction(pairs, now.gradient, precondition);
       slope = dot(d, now.gradient);
       if (!(slope < 0)) break;
     }
     double low = 0;
     double high = std::numeric_limits<double>::infinity();
-    double t = pairs.empty() ? 1 / std::sqrt(-slope) * 1e-2 : 1;
+    double t = 1;
     State next = now;
     State best = now;
     for (int trial = 0; trial < most_trials; ++trial) {
@@ -95,6 +98,9 @@ Descent minimize(const std::function<double(const Values& x, Values& gradient)>&
       pair.change[i] = best.gradient[i] - now.gradient[i];
     }
     pair.curvature = dot(pair.step, pair.change);
+    Values preconditioned = pair.change;
+    precondition(preconditioned);
+    pair.scale = dot(pair.change, preconditioned);
     const double gain = now.value - best.value;
     now = std::move(best);
     if (pair.curvature > 0) pairs.push_back(std::move(pair));

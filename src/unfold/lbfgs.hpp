@@ -12,6 +12,9 @@ namespace tetrarch::unfold {
 
 using Values = std::vector<double>;
 
+/// Multiplies by a matrix near to the inverse of the Hessian, symmetric and positive definite.
+using Precondition = std::function<void(Values&)>;
+
 struct Descent {
   double value = 0;
   int iterations = 0;
@@ -21,6 +24,7 @@ struct Descent {
 /// Ends where the value falls by less than `least_gain` of itself in an iteration, where no step leads down,
 /// or after so many iterations. `watch` is called once in each.
 Descent minimize(const std::function<double(const Values& x, Values& gradient)>& f, Values& x,
-                 int most_iterations, double least_gain, const std::function<void()>& watch);
+                 int most_iterations, double least_gain, const std::function<void()>& watch,
+                 const Precondition& precondition);
 
 } // namespace tetrarch::unfold

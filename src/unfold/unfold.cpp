@@ -11,6 +11,8 @@
 namespace tetrarch::unfold {
 namespace {
 
+using namespace numeric;
+
 /// Once nothing is folded; and the least that an epsilon may become on the way there.
 constexpr double settled = 1e-9;
 /// By so much, at least, the wall grows in a round.
@@ -22,6 +24,7 @@ public:
   Movable(const Problem& problem, std::vector<Point> points) : problem_(problem), points_(std::move(points)) {
     for (int v = 0; v < static_cast<int>(points_.size()); ++v)
       if (problem.freedom[v].kind != Freedom::Kind::fixed) moving_.push_back(v);
+    find_blocks();
   }
   const std::vector<Point>& points() const { return points_; }
   Values values() const {
@@ -36,7 +39,12 @@ public:
   }
   double energy(const Values& x, Values& gradient, double theta, double epsilon) {
     place(x);
-    const double value = unfold::energy(problem_.elements, points_, theta, epsilon, &all_);
+    double value = unfold::energy(problem_.elements, points_, theta, epsilon, &all_);
+    for (const Pull& pull : problem_.pulls) {
+      const Vector away = pull.away(points_[pull.point]);
+      value += pull.weight * dot(away, away);
+      all_[pull.point] = all_[pull.point] + 2 * pull.weight * away;
+    }
     for (std::size_t k = 0; k < moving_.size(); ++k) {
       const Vector allowed = problem_.freedom[moving_[k]].allowed(all_[moving_[k]]);
       std::copy(allowed.begin(), allowed.end(), gradient.begin() + static_cast<std::ptrdiff_t>(3 * k));
@@ -44,10 +52,58 @@ public:
     return value;
   }
 
+  /// Each point by itself: as if the energy were the square of J, beside the springs.
+  void precondition(Values& x) const {
+    for (std::size_t k = 0; k < moving_.size(); ++k) {
+      const Matrix& m = block_[k];
+      const Vector v{x[3 * k], x[3 * k + 1], x[3 * k + 2]};
+      const Vector allowed = problem_.freedom[moving_[k]].allowed({dot(m[0], v), dot(m[1], v), dot(m[2], v)});
+      std::copy(allowed.begin(), allowed.end(), x.begin() + static_cast<std::ptrdiff_t>(3 * k));
+    }
+  }
+
 private:
+  using Matrix = std::array<Vector, 3>;
+
+  static Matrix inverse(const Matrix& m) {
+    const std::array<Vector, 3> cofactors{cross(m[1], m[2]), cross(m[2], m[0]), cross(m[0], m[1])};
+    const double determinant = dot(m[0], cofactors[0]);
+    Matrix result{};
+    for (std::size_t i = 0; i < 3; ++i)
+      for (std::size_t j = 0; j < 3; ++j) result[i][j] = cofactors[j][i] / determinant;
+    return result;
+  }
+
+  void find_blocks() {
+    std::vector<Matrix> all(points_.size());
+    const auto add = [&](int v, double weight) {
+      for (std::size_t a = 0; a < 3; ++a) all[v][a][a] += 2 * weight;
+    };
+    for (const Element& e : problem_.elements) {
+      Vector first{};
+      for (std::size_t k = 0; k < 3; ++k) {
+        first = first - e.inverse[k];
+        add(e.corner[k + 1], e.weight * dot(e.inverse[k], e.inverse[k]));
+      }
+      add(e.corner[0], e.weight * dot(first, first));
+    }
+    for (const Pull& pull : problem_.pulls)
+      for (std::size_t a = 0; a < 3; ++a) {
+        Vector axis{};
+        axis[a] = 1;
+        all[pull.point][a] = all[pull.point][a] + 2 * pull.weight * (axis - pull.held.allowed(axis));
+      }
+    for (const int v : moving_) {
+      Matrix& m = all[v];
+      const bool is_loose = !(m[0][0] > 0); // in no element and on no spring: it stays
+      block_.push_back(is_loose ? Matrix{} : inverse(m));
+    }
+  }
+
   const Problem& problem_;
   std::vector<Point> points_;
   std::vector<int> moving_;
+  std::vector<Matrix> block_; ///< of each that moves
   std::vector<Vector> all_;
 };
 
@@ -72,6 +128,9 @@ void require(const Problem& problem, const std::vector<Point>& start) {
   for (const Element& e : problem.elements)
     for (const int v : e.corner)
       if (v < 0 || v >= count) throw PreconditionError("unfold: a corner is none of the points");
+  for (const Pull& pull : problem.pulls)
+    if (pull.point < 0 || pull.point >= count)
+      throw PreconditionError("unfold: what is pulled is none of the points");
 }
 
 } // namespace
@@ -83,6 +142,7 @@ Unfolded unfold(const Problem& problem, std::vector<Point> start, const Options&
   std::vector<double> all = determinants(problem.elements, start);
   result.folded_before = result.folded_after = folded(all);
   if (all.empty()) {
+    result.last = start;
     result.points = std::move(start);
     return result;
   }
@@ -91,8 +151,7 @@ Unfolded unfold(const Problem& problem, std::vector<Point> start, const Options&
   result.points = start;
   Movable movable(problem, std::move(start));
   Values x = movable.values();
-  double epsilon = worst > 0 ? settled : std::max(1.0, std::hypot(worst, 0.1));
-  constexpr double flat = 1e-6; // gain of an iteration at which a round is over
+  double epsilon = worst > 0 ? settled : options.reach * std::max(1.0, std::hypot(worst, 0.1));
   for (; result.rounds < options.most_rounds && !x.empty(); ++result.rounds) {
     const auto f = [&](const Values& at, Values& gradient) {
       return movable.energy(at, gradient, options.theta, epsilon);
@@ -101,7 +160,9 @@ Unfolded unfold(const Problem& problem, std::vector<Point> start, const Options&
     const double before = f(x, gradient);
     if (!std::isfinite(before)) break;
     const double part = result.rounds / static_cast<double>(options.most_rounds);
-    const Descent done = minimize(f, x, options.iterations, flat, [&] { progress.step("unfolding", part); });
+    const Descent done = minimize(
+        f, x, options.iterations, options.flat, [&] { progress.step("unfolding", part); },
+        [&](Values& at) { movable.precondition(at); });
     result.iterations += done.iterations;
     movable.place(x);
     all = determinants(problem.elements, movable.points());
@@ -116,6 +177,7 @@ Unfolded unfold(const Problem& problem, std::vector<Point> start, const Options&
     if (worst > 0 && epsilon <= settled && gained < options.least_gain) break;
     epsilon = tightened(epsilon, worst, gained);
   }
+  result.last = movable.points();
   return result;
 }
 

@@ -17,6 +17,7 @@ import time
 import unittest
 from fractions import Fraction
 
+from diagrams_test import *  # noqa: F401,F403: knots, links and graphs in space
 from hostile_test import *  # noqa: F401,F403: files and surroundings that mean no good
 from inputs_test import *  # noqa: F401,F403: what stands for a triangulation
 from meshes_test import *  # noqa: F401,F403: meshes from elsewhere, and mending them
@@ -287,7 +288,89 @@ class Census(unittest.TestCase):
         self.assertEqual(len(run_json("census", "list")[1]["manifolds"]), 151)
 
 
+
+# The first of the three manifolds of five tetrahedra that an enumeration without a second triangulation misses.
+FIVE = "fLAMcbccdeeeejlhw"
+
+
 class Identify(unittest.TestCase):
+    def test_manifolds_are_chosen_by_what_they_are(self):
+        # Frigerio, Martelli, Petronio 2004, tables of the compact manifolds and of those with cusps.
+        for tetrahedra, options, count in ((4, ("--boundary", "4"), 2340), (4, ("--boundary", "3", "--cusps", "0"), 2034),
+                                           (4, ("--boundary", "2", "--cusps", "0"), 628), (4, ("--cusps", "1"), 30),
+                                           (4, ("--cusps", "2"), 1), (4, (), 5033), (2, (), 8), (3, ("--boundary", "3"), 74),
+                                           (3, ("--volume", "10.42..10.43"), 74), (3, ("--volume", "..9"), 77),
+                                           (3, ("--volume", "9.."), 74), (2, ("--homology", "Z^2"), 8),
+                                           (2, ("--homology", "Z^2+Z/3"), 0), (4, ("--boundary", "2,2"), 0)):
+            status, found = run_json("census", "list", "--tetrahedra", str(tetrahedra), "--count", *options)
+            self.assertEqual((status, found["count"]), (0, count), options)
+            every = run_json("census", "list", "--tetrahedra", str(tetrahedra), *options)[1]
+            self.assertEqual((every["count"], len(every["manifolds"])), (count, count))
+        for options in (("--volume", "9"), ("--volume", ".."), ("--volume", "a..b"), ("--boundary", "1"), ("--boundary", "x"),
+                        ("--boundary", "2,"), ("--cusps", "-1")):
+            self.assertEqual(run("census", "list", *options).returncode, 2, options)
+        self.assertEqual(run_json("census", "identify", "eLAkbcbdddhjhk")[1]["name"], "fmp4_1")
+
+    def test_ones_own_table(self):
+        with tempfile.TemporaryDirectory() as folder:
+            table = os.path.join(folder, "own.json")
+            with open(f"{SOURCE}/census/fmp3.json", encoding="utf-8") as file:
+                text = json.load(file)
+            # A manifold of five tetrahedra that no table holds (Frigerio, Martelli, Petronio stop at four).
+            found = run_json("census", "identify", FIVE)[1]
+            self.assertIsNone(found["name"])
+            entry = {**text["manifolds"][0], "name": "mine", "signature": found["signature"],
+                     "canonical_signature": found["isometry_signature"]}
+            del entry["dihedral_angles"]
+            with open(table, "w", encoding="utf-8") as file:
+                json.dump({**text, "tetrahedra": 5, "manifolds": [entry]}, file)
+            self.assertEqual(run_json("census", "identify", FIVE, "--table", table)[1]["name"], "mine")
+            with open(table, "a", encoding="utf-8") as file:
+                file.write("more")
+            self.assertEqual(run("census", "identify", FIVE, "--table", table).returncode, 2)
+
+    def test_a_census_that_is_killed_goes_on(self):
+        with tempfile.TemporaryDirectory() as folder:
+            def enumerate_in(work, *more):
+                return (PROGRAM, "census", "enumerate", "--tetrahedra", "3", "--work", os.path.join(folder, work), *more)
+
+            def count(work):
+                with open(os.path.join(folder, work, "records"), "rb") as file:
+                    return file.read().count(b"\n")
+
+            table = os.path.join(folder, "table.json")
+            killed = 0
+            for delay in [0.02 * k for k in range(1, 40)]:
+                job = subprocess.Popen([*enumerate_in("a", "--resume"), "-o", table], stderr=subprocess.DEVNULL,
+                                       stdout=subprocess.DEVNULL)
+                try:
+                    job.wait(delay)
+                    break
+                except subprocess.TimeoutExpired:
+                    job.kill()
+                    job.wait()
+                    killed += 1
+            self.assertGreater(killed, 0)
+            with open(table, "rb") as new, open(f"{SOURCE}/census/fmp3.json", "rb") as old:
+                expected = old.read()
+                self.assertEqual(new.read(), expected)
+            done = count("a")
+            self.assertEqual(run(*enumerate_in("a", "--resume")[1:]).returncode, 0)
+            self.assertEqual(count("a"), done)  # nothing was done twice
+            self.assertIn("holds records already", run(*enumerate_in("a")[1:]).stderr)
+            for k in (1, 2, 3):
+                self.assertEqual(run(*enumerate_in(f"s{k}", "--shard", f"{k}/3")[1:]).returncode, 0)
+            folders = [os.path.join(folder, f"s{k}") for k in (3, 1, 2)]
+            self.assertEqual(run("census", "merge", *folders, "--tetrahedra", "3", "-o", table).returncode, 0)
+            with open(table, "rb") as new:
+                self.assertEqual(new.read(), expected)
+            self.assertIn("missing from these folders", run("census", "merge", *folders[1:], "--tetrahedra", "3").stderr)
+            brief = run("census", "enumerate", "--tetrahedra", "2", "--brief").stdout
+            self.assertNotIn("angles", brief)
+            for bad in (("--shard", "0/3", "--work", folder), ("--shard", "4/3", "--work", folder), ("--shard", "1", "--work", folder),
+                        ("--shard", "1/2"), ("--resume",), ("--work", table), ("--work", "/proc/none")):
+                self.assertEqual(run("census", "enumerate", "--tetrahedra", "2", *bad).returncode, 2, bad)
+
     def test_a_census_manifold_comes_back_from_a_mesh(self):
         with tempfile.TemporaryDirectory() as folder:
             path = os.path.join(folder, "large.json")

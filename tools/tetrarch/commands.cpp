@@ -2,6 +2,8 @@
 #include "command.hpp"
 
 #include "tetrarch/workshop/canonical.hpp"
+#include "tetrarch/workshop/diagram.hpp"
+#include "tetrarch/workshop/filling.hpp"
 #include "tetrarch/workshop/identify.hpp"
 #include "tetrarch/workshop/info.hpp"
 #include "tetrarch/workshop/structure.hpp"
@@ -12,6 +14,7 @@ namespace {
 
 constexpr const char* triangulations = "Triangulations";
 constexpr const char* structures = "Hyperbolic structures";
+constexpr const char* diagrams = "Knots, links and graphs in space";
 constexpr const char* meshes = "Meshes of surfaces and solids";
 constexpr const char* tables = "The census";
 constexpr const char* session = "Sessions and help";
@@ -46,6 +49,11 @@ const std::vector<Command>& commands() {
       {triangulations, "subdivide",
        "more tetrahedra, the same manifold; real boundary in place of ideal vertices",
        "subdivide cPcbbbihq --finite --barycentric 1 -o knotted_y_mesh.json", declare_subdivide},
+      {triangulations, "drill", "the exterior of a set of edges", "drill cMcabbgqs 0", declare_drill},
+      {diagrams, "diagram", "read and check the diagram of a link or a graph in space",
+       "diagram 'braid 1 -2 1 -2'", declare_diagram, false, workshop::notes_of<workshop::DiagramFacts>},
+      {diagrams, "exterior", "the exterior of a link or a graph in space", "exterior 'braid 1 -2 1 -2'",
+       declare_exterior, false, workshop::notes_of<workshop::Exterior>},
       {structures, "hyperbolize",
        "find the structure with geodesic boundary and cusps, by Newton's method or Luo's flow",
        "hyperbolize cPcbbbihq", declare_hyperbolize, false, workshop::notes_of<workshop::Structure>},
@@ -71,12 +79,17 @@ const std::vector<Command>& commands() {
       {meshes, "product",
        "coordinates of a handlebody in (a disk with holes) x (an interval); hexahedral meshes",
        "product samples/genus4_ridges.mesh --labels 1,2 --hex 30 -o genus4.vtu", declare_product},
+      {meshes, "hex", "fill a solid with hexahedra, whatever its genus; no partition is needed",
+       "hex samples/double_torus.off --cells 2000 -o double_torus.vtu", declare_hex, false,
+       workshop::notes_of<workshop::FilledSolid>},
       {tables, "census gluings",
        "list all closed gluings of N tetrahedra up to isomorphism, as signatures, one per line",
        "census gluings --tetrahedra 2 --orientable --ideal", declare_census_gluings},
       {tables, "census enumerate",
        "classify the manifolds of N tetrahedra from nothing, one JSON object per line",
        "census enumerate --tetrahedra 2", declare_census_enumerate},
+      {tables, "census merge", "the table of work that several machines did, each a share",
+       "census merge samples/census_work.records --tetrahedra 2 -o census.json", declare_census_merge},
       {tables, "census validate", "rebuild a stored table from nothing and solve its manifolds again",
        "census validate --tetrahedra 2", declare_census_validate},
       {tables, "census list", "list the manifolds of a stored table", "census list --tetrahedra 2",

@@ -31,6 +31,16 @@ struct HexMesh {
   std::array<Point, 8> corners(std::size_t hexahedron) const;
 };
 
+/// Of each corner its three neighbors, so that they make a right-handed corner of a cube.
+inline constexpr std::array<std::array<int, 3>, 8> corner_neighbors{
+    {{1, 3, 4}, {2, 0, 5}, {3, 1, 6}, {0, 2, 7}, {7, 5, 0}, {4, 6, 1}, {5, 7, 2}, {6, 4, 3}}};
+/// Seen from outside each is counterclockwise.
+inline constexpr std::array<std::array<int, 4>, 6> outward_sides{
+    {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}}};
+
+/// Squares of the surface, by their points, seen from outside: those of one hexahedron only. O(n log n).
+std::vector<std::array<int, 4>> surface_squares(const HexMesh& mesh);
+
 /// In [-1, 1]; 0 where an edge has no length.
 double scaled_jacobian(const std::array<Point, 8>& corners);
 

@@ -19,6 +19,7 @@
 #include "tetrarch/core/progress.hpp"
 #include "tetrarch/product/hex_mesh.hpp"
 
+#include <functional>
 #include <vector>
 
 namespace tetrarch::product {
@@ -27,6 +28,9 @@ struct SmoothOptions {
   int most_sweeps = 30;      ///< over all points
   double search_below = 0.5; ///< search around points whose worst hexahedron is below
   double least_gain = 1e-4;  ///< of the worst around a point, for which the point is moved
+  /// Where a point goes that would go to a place: points of a curved surface are brought back to it. Empty:
+  /// there.
+  std::function<Point(int, const Point&)> brought_back;
 };
 
 struct Smoothed {

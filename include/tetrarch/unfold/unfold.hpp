@@ -54,15 +54,32 @@ struct Freedom {
   Vector allowed(const Vector& motion) const;
 };
 
+/// A spring that holds a point near a place: near a plane, a line or a point. It adds weight times the square
+/// of the distance to the energy.
+struct Pull {
+  int point = 0;
+  Freedom held{}; ///< the plane, line or point (`fixed`) through the target; what is `free` has no spring
+  Point target{};
+  double weight = 1;
+
+  /// What is between the point and where it is held.
+  Vector away(const Point& p) const;
+};
+
 struct Problem {
   std::vector<Element> elements;
   std::vector<Freedom> freedom; ///< of each point
+  std::vector<Pull> pulls;
 };
 
 struct Options {
   double theta = 0.5; ///< how much sizes count beside angles
-  int most_rounds = 100;
+  /// The first epsilon where elements are folded, about. With 1 all becomes small at first; with less,
+  /// springs hold the whole while few elements open, but what is folded deeply may not find out.
+  double reach = 1;
+  int most_rounds = 100;    ///< after which what is still folded stays so
   int iterations = 300;     ///< of L-BFGS in a round, at most
+  double flat = 1e-6;       ///< gain of an iteration, in terms of the energy, at which a round is over
   double least_gain = 1e-3; ///< of the energy in a round, in terms of it: with less, and no fold, it is done
 };
 
@@ -74,8 +91,9 @@ double energy(const std::vector<Element>& elements, const std::vector<Point>& po
 std::vector<double> determinants(const std::vector<Element>& elements, const std::vector<Point>& points);
 
 struct Unfolded {
-  std::vector<Point> points;
-  int folded_before = 0; ///< elements with a determinant of 0 or less, or none at all
+  std::vector<Point> points; ///< the best
+  std::vector<Point> last;   ///< where the descent ended, whatever is folded there
+  int folded_before = 0;     ///< elements with a determinant of 0 or less, or none at all
   int folded_after = 0;
   int rounds = 0;
   int iterations = 0;
@@ -83,8 +101,8 @@ struct Unfolded {
 };
 
 /// The best of the points met at the end of a round, the start included: of fewest folded elements, then the
-/// latest. Throws PreconditionError unless there is a freedom for each point and all corners are points. O(n)
-/// an iteration.
+/// latest. Throws PreconditionError unless there is a freedom for each point, and all corners and what is
+/// pulled are points. O(n) an iteration.
 Unfolded unfold(const Problem& problem, std::vector<Point> start, const Options& options = {},
                 const Progress& progress = {});
 

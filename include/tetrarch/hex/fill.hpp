@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+/// Hexahedra that fill a solid of any genus.
+///
+///      .-''-.        +-+-+-+        .-----.     A grid is laid over the solid, with planes where flat sides
+///     (      )  -->  +-+-+-+  -->  (|--|--|)    lie, and its cells inside are taken. They are drawn to the
+///      '-..-'        +-+-+-+        '-----'     surface by the energy of the room `unfold`; ridges and
+///                                               corners are found again on them. Where a hexahedron would
+///      have two sides on a smooth surface, a layer is put below all of it, and a layer around each patch
+///      that leaves its squares no room. Last, single points move where the worst hexahedra are.
+///
+/// Nothing is proved of the result; all of it is measured. Source: after Marechal, "Advances in octree-based
+/// all-hexahedral mesh generation" (2009), and Gao, Shen and Panozzo, "Feature preserving octree-based
+/// hexahedral meshing" (2019).
+
+#include "tetrarch/core/progress.hpp"
+#include "tetrarch/hex/deviation.hpp"
+#include "tetrarch/product/hex_mesh.hpp"
+#include "tetrarch/product/solid.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+namespace tetrarch::hex {
+
+struct FillOptions {
+  std::optional<double> edge;        ///< wanted length of edges
+  std::optional<std::int64_t> cells; ///< wanted number of hexahedra; without either, `usual_cells`
+  double sharp = 40;                 ///< degrees between normals, from which an edge is kept as a ridge
+  double volume_tolerance = 0.01;    ///< relative
+  double hausdorff_tolerance = 0.01; ///< in terms of the diagonal of the solid's box
+};
+
+/// What `FillOptions::cells` is where nobody said.
+constexpr std::int64_t usual_cells = 4000;
+
+struct Filling {
+  product::HexMesh mesh;
+  product::HexQuality quality;
+  Deviation deviation;
+  double volume = 0;
+  double solid_volume = 0;
+  double edge = 0;         ///< of the grid
+  int refinements = 0;     ///< how often the grid was too coarse for the solid
+  int ridges = 0;          ///< kept
+  int ridges_of_solid = 0; ///< found
+  bool has_layer = false;  ///< below the whole surface
+
+  /// Relative.
+  double volume_ratio() const { return volume / solid_volume; }
+  /// No scaled Jacobian below 0.2, and volume and distance within the tolerances.
+  bool is_good(const FillOptions& options) const;
+};
+
+/// The length of edges with which about so many hexahedra fill a solid.
+double edge_for(const product::Solid& solid, std::int64_t cells);
+/// Bytes that `fill` takes at most for edges of this length, roughly. In double, so that nothing overflows.
+double bytes_for_edge(const product::Solid& solid, double edge);
+
+/// Where the result is not good the grid is made finer, by a factor of 0.8 each time; of up to three results
+/// the best is kept. Nothing where none of seven grids has the solid's genus. Throws Stopped.
+[[nodiscard]] std::optional<Filling> fill(const product::Solid& solid, const FillOptions& options = {},
+                                          const Progress& progress = {});
+
+} // namespace tetrarch::hex

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+/// Hexahedra that fill a solid: made, measured and described in one call.
+///
+///     const FilledSolid found = filled_solid(solid, {});
+///     if (found.verdict() == Verdict::yes) use(found.filling->mesh);
+
+#include "tetrarch/core/progress.hpp"
+#include "tetrarch/hex/fill.hpp"
+#include "tetrarch/workshop/fields.hpp"
+#include "tetrarch/workshop/verdict.hpp"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace tetrarch::workshop {
+
+/// The hexahedra, or none where no grid fits. It owns all that it speaks of.
+struct FilledSolid {
+  std::optional<hex::Filling> filling;
+  hex::FillOptions options;
+  double seconds = 0;
+
+  /// Undecided unless there are no doubts.
+  Verdict verdict() const;
+  /// What is wrong with the hexahedra, with places; empty: nothing.
+  std::vector<std::string> doubts() const;
+};
+
+/// Seconds for thousands of hexahedra. Throws Stopped.
+FilledSolid filled_solid(const product::Solid& solid, const hex::FillOptions& options = {},
+                         const Progress& progress = {});
+
+Rows rows_of(const FilledSolid& found);
+
+template <>
+const FieldList<FilledSolid>& fields_of<FilledSolid>();
+
+} // namespace tetrarch::workshop

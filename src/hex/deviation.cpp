@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "tetrarch/hex/deviation.hpp"
+
+#include "tetrarch/hex/layers.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace tetrarch::hex {
+namespace {
+
+using namespace numeric;
+using Triangles = std::vector<std::array<Point, 3>>;
+
+constexpr int parts = 4; // of a square's side
+
+/// Points of the squares, row by row, and triangles between them.
+struct Sampled {
+  std::vector<Point> points;
+  Triangles triangles;
+  double mean_edge = 0;
+};
+
+Sampled sampled(const product::HexMesh& mesh) {
+  Sampled result;
+  const std::vector<SurfaceSquare> surface = surface_of(mesh);
+  for (const SurfaceSquare& s : surface) {
+    std::array<Point, 4> p{};
+    for (std::size_t k = 0; k < 4; ++k)
+      p[k] = mesh.points[mesh.hexahedra[s.hexahedron][product::outward_sides[s.side][k]]];
+    for (std::size_t k = 0; k < 4; ++k) result.mean_edge += distance(p[k], p[(k + 1) % 4]);
+    const auto at = [&](int i, int j) {
+      const double u = i / static_cast<double>(parts);
+      const double v = j / static_cast<double>(parts);
+      return (1 - v) * ((1 - u) * p[0] + u * p[1]) + v * ((1 - u) * p[3] + u * p[2]);
+    };
+    for (int i = 0; i <= parts; ++i)
+      for (int j = 0; j <= parts; ++j) {
+        result.points.push_back(at(i, j));
+        if (i == parts || j == parts) continue;
+        result.triangles.push_back({at(i, j), at(i + 1, j), at(i + 1, j + 1)});
+        result.triangles.push_back({at(i, j), at(i + 1, j + 1), at(i, j + 1)});
+      }
+  }
+  result.mean_edge /= std::max(1.0, 4.0 * static_cast<double>(surface.size()));
+  return result;
+}
+
+} // namespace
+
+Deviation deviation(const product::Solid& solid, const product::HexMesh& mesh) {
+  Triangles outside;
+  for (int t = 0; t < solid.boundary.triangle_count(); ++t)
+    outside.push_back(
+        {solid.point(solid.corner(t, 0)), solid.point(solid.corner(t, 1)), solid.point(solid.corner(t, 2))});
+  Sampled hexahedra = sampled(mesh);
+  Deviation result;
+  Point least = solid.point(solid.vertex.front());
+  Point most = least;
+  for (const int v : solid.vertex)
+    for (std::size_t a = 0; a < 3; ++a) {
+      least[a] = std::min(least[a], solid.point(v)[a]);
+      most[a] = std::max(most[a], solid.point(v)[a]);
+    }
+  result.diagonal = distance(least, most);
+  const double spacing = std::max(hexahedra.mean_edge / 2, result.diagonal / 1000);
+  const NearestTriangle of_hexahedra(std::move(hexahedra.triangles));
+  const auto measure = [&](const NearestTriangle& to, const Point& p, double& greatest, Point& at) {
+    const double d = to.nearest(p).distance;
+    if (d <= greatest) return;
+    greatest = d;
+    at = p;
+  };
+  for (const auto& t : outside) {
+    const double longest = std::max({distance(t[0], t[1]), distance(t[1], t[2]), distance(t[2], t[0])});
+    const int n = std::max(1, static_cast<int>(std::ceil(longest / spacing)));
+    for (int i = 0; i <= n; ++i)
+      for (int j = 0; i + j <= n; ++j) {
+        const double u = i / static_cast<double>(n);
+        const double v = j / static_cast<double>(n);
+        measure(of_hexahedra, (1 - u - v) * t[0] + u * t[1] + v * t[2], result.from_solid, result.solid_at);
+      }
+  }
+  const NearestTriangle of_solid(std::move(outside));
+  for (const Point& p : hexahedra.points) measure(of_solid, p, result.from_hexahedra, result.hexahedra_at);
+  return result;
+}
+
+} // namespace tetrarch::hex

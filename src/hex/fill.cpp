@@ -1,0 +1,262 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "tetrarch/hex/fill.hpp"
+
+#include "tetrarch/hex/fit.hpp"
+#include "tetrarch/hex/match.hpp"
+#include "tetrarch/product/smooth.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace tetrarch::hex {
+namespace {
+
+using namespace numeric;
+
+/// Solvers are content with a scaled Jacobian above.
+constexpr double content = 0.2;
+
+/// The box of some points.
+std::array<Point, 2> box_of(const std::vector<Point>& points) {
+  std::array<Point, 2> box{points.front(), points.front()};
+  for (const Point& p : points)
+    for (std::size_t a = 0; a < 3; ++a) {
+      box[0][a] = std::min(box[0][a], p[a]);
+      box[1][a] = std::max(box[1][a], p[a]);
+    }
+  return box;
+}
+
+double area_of(const product::Solid& solid) {
+  double area = 0;
+  for (int t = 0; t < solid.boundary.triangle_count(); ++t) {
+    const Point& p = solid.point(solid.corner(t, 0));
+    area += norm(cross(solid.point(solid.corner(t, 1)) - p, solid.point(solid.corner(t, 2)) - p)) / 2;
+  }
+  return area;
+}
+
+/// Where flat patches lie that face along an axis: there the grid gets a plane.
+std::array<std::vector<double>, 3> flat_sides(const Targets& targets) {
+  constexpr double along = 0.9999;
+  std::array<std::vector<double>, 3> result;
+  const Features& features = targets.features();
+  std::vector<Vector> least(static_cast<std::size_t>(features.patches), {1, 1, 1});
+  std::vector<Point> at(least.size());
+  for (int t = 0; t < targets.whole().size(); ++t) {
+    const int p = features.patch[t];
+    for (std::size_t a = 0; a < 3; ++a)
+      least[p][a] = std::min(least[p][a], std::abs(targets.whole().normal(t)[a]));
+    at[p] = targets.whole().corners(t)[0];
+  }
+  for (std::size_t p = 0; p < least.size(); ++p)
+    for (std::size_t a = 0; a < 3; ++a)
+      if (least[p][a] > along) result[a].push_back(at[p][a]);
+  return result;
+}
+
+/// A mesh and where its points belong.
+struct Fitted {
+  SizedHexahedra hexahedra;
+  std::vector<Home> home;
+  product::HexQuality quality;
+  bool has_layer = false;
+};
+
+void add_homes(std::vector<Home>& home, const std::vector<int>& origin) {
+  home.resize(home.size() + origin.size());
+}
+
+/// A layer below all of the surface, then one around each cramped patch.
+void add_layers(Fitted& fitted, const Match& match, double edge) {
+  SizedHexahedra& hexahedra = fitted.hexahedra;
+  constexpr double part = 0.5; // of the edge: the thickness of a layer
+  const std::size_t before = hexahedra.lengths.size();
+  add_homes(fitted.home, add_layer(hexahedra, std::vector<char>(before, 1), std::vector<char>(6 * before, 0),
+                                   part * edge));
+  fitted.has_layer = true;
+  // The new hexahedra come in the order of the squares, and have them on top.
+  constexpr int top = 1;
+  for (std::size_t p = 0; p < match.is_cramped.size(); ++p) {
+    if (match.is_cramped[p] == 0) continue;
+    std::vector<char> shrinks(hexahedra.lengths.size());
+    std::vector<char> stays(6 * hexahedra.lengths.size());
+    for (std::size_t q = 0; q < match.patch.size(); ++q) {
+      if (match.patch[q] != static_cast<int>(p)) continue;
+      shrinks[before + q] = 1;
+      stays[6 * (before + q) + top] = 1;
+    }
+    const std::vector<int> origin = add_layer(hexahedra, shrinks, stays, part * edge);
+    // Those that came from the rim of the patch lie in the patch.
+    add_homes(fitted.home, origin);
+    std::vector<char> on_top(hexahedra.mesh.points.size());
+    for (std::size_t q = 0; q < match.patch.size(); ++q)
+      if (shrinks[before + q] != 0)
+        for (const int c : product::outward_sides[top]) on_top[hexahedra.mesh.hexahedra[before + q][c]] = 1;
+    const std::size_t first = hexahedra.mesh.points.size() - origin.size();
+    for (std::size_t v = first; v < on_top.size(); ++v)
+      if (on_top[v] != 0) fitted.home[v] = {Home::Kind::patch, static_cast<int>(p)};
+  }
+}
+
+void improve(Fitted& fitted, const Targets& targets, const Progress& progress) {
+  product::HexMesh& mesh = fitted.hexahedra.mesh;
+  const std::vector<Vector> normals = surface_normals(mesh);
+  std::vector<char> fixed(mesh.points.size());
+  for (std::size_t v = 0; v < fixed.size(); ++v) fixed[v] = fitted.home[v].kind == Home::Kind::corner;
+  product::SmoothOptions options;
+  options.most_sweeps = 12;
+  options.search_below = 0.4;
+  options.brought_back = [&](int v, const Point& p) {
+    return fitted.home[v].kind == Home::Kind::inside ? p : targets.place(fitted.home[v], p, &normals[v]).at;
+  };
+  product::smooth(mesh, fixed, options, progress);
+  land(mesh, fitted.home, targets);
+  fitted.quality = product::quality(mesh);
+}
+
+/// The cells of a grid that is fine enough.
+struct Start {
+  SizedHexahedra hexahedra;
+  double edge = 0;
+  int refinements = 0;
+};
+
+std::optional<SizedHexahedra> cells_in(const product::Solid& solid, const Targets& targets, double edge,
+                                       const Progress& progress) {
+  const Grid grid = grid_around(solid.mesh.points, edge, flat_sides(targets));
+  const std::vector<float> full = filled(solid, solid.mesh.points, grid, progress);
+  for (const double least : {0.5, 0.35, 0.65, 0.2, 0.8})
+    if (const auto chosen = chosen_cells(grid, full, product::genus(solid), least))
+      return cells_of(grid, *chosen);
+  return std::nullopt;
+}
+
+Fitted fitted(Fitted start, const Match& match, bool with_layers, double edge, const Targets& targets,
+              const Progress& progress) {
+  start.home = match.home;
+  if (with_layers) add_layers(start, match, edge);
+  fit(start.hexahedra, start.home, targets, {}, progress);
+  improve(start, targets, progress);
+  return start;
+}
+
+/// Both ways where both may do, and the better.
+Fitted best_fit(const SizedHexahedra& cells, const Match& match, double edge, const Targets& targets,
+                const Progress& progress) {
+  constexpr double as_good = 0.4; // as layers can make it
+  const bool is_roomy =
+      match.is_unfolded && std::count(match.is_cramped.begin(), match.is_cramped.end(), 1) == 0;
+  std::optional<Fitted> best;
+  if (is_roomy) {
+    best = fitted({cells, {}, {}, false}, match, false, edge, targets, progress);
+    if (best->quality.minimum > as_good) return *std::move(best);
+  }
+  Fitted layered = fitted({cells, {}, {}, false}, match, true, edge, targets, progress);
+  return best && product::is_better(best->quality, layered.quality) ? *std::move(best) : layered;
+}
+
+Filling measured(const product::Solid& solid, Fitted fitted, double edge) {
+  Filling result;
+  result.mesh = std::move(fitted.hexahedra.mesh);
+  result.quality = std::move(fitted.quality);
+  result.deviation = deviation(solid, result.mesh);
+  result.volume = product::volume(result.mesh);
+  result.solid_volume = product::volume(solid);
+  result.edge = edge;
+  result.has_layer = fitted.has_layer;
+  return result;
+}
+
+/// With one length of edges; nothing where the grid has not the solid's genus.
+std::optional<Filling> filled_with(const product::Solid& solid, double edge, const FillOptions& options,
+                                   const Progress& progress) {
+  const Targets targets(solid, features(solid, {.sharp = options.sharp, .least_area = edge * edge / 2}));
+  std::optional<SizedHexahedra> cells = cells_in(solid, targets, edge, progress);
+  if (!cells) return std::nullopt;
+  Match match = unmatched(cells->mesh);
+  FitOptions gently;
+  gently.rounds = 5;
+  gently.weakest = 1;
+  gently.strongest = 30;
+  gently.iterations = 30;
+  gently.ends_there = false;
+  fit(*cells, match.home, targets, gently, progress);
+  std::optional<Match> found = matched(cells->mesh, solid, targets);
+  const int ridges = static_cast<int>(targets.features().ridges.size());
+  if (found) match = *std::move(found);
+  Filling filling = measured(solid, best_fit(*cells, match, edge, targets, progress), edge);
+  filling.ridges_of_solid = ridges;
+  filling.ridges = found ? ridges : 0;
+  return filling;
+}
+
+/// How many of the promises are broken.
+int broken(const Filling& filling, const FillOptions& options) {
+  int count = filling.quality.minimum < content ? 1 : 0;
+  if (!(std::abs(filling.volume_ratio() - 1) <= options.volume_tolerance)) ++count;
+  if (!(filling.deviation.relative() <= options.hausdorff_tolerance)) ++count;
+  return count;
+}
+
+bool is_preferred(const Filling& a, const Filling& b, const FillOptions& options) {
+  if (a.quality.bad.size() != b.quality.bad.size()) return a.quality.bad.size() < b.quality.bad.size();
+  const int broken_a = broken(a, options);
+  const int broken_b = broken(b, options);
+  return broken_a != broken_b ? broken_a < broken_b : a.quality.minimum > b.quality.minimum;
+}
+
+} // namespace
+
+bool Filling::is_good(const FillOptions& options) const {
+  return quality.bad.empty() && broken(*this, options) == 0;
+}
+
+double edge_for(const product::Solid& solid, std::int64_t cells) {
+  // Those inside, and a layer: V / h^3 + A / h^2 = n, by halving.
+  const double volume = product::volume(solid);
+  const double area = area_of(solid);
+  const auto count = [&](double h) { return volume / (h * h * h) + area / (h * h); };
+  double low = 0;
+  double high = std::cbrt(volume) + std::sqrt(area);
+  constexpr int halvings = 200;
+  for (int k = 0; k < halvings; ++k) {
+    const double middle = (low + high) / 2;
+    (count(middle) > static_cast<double>(cells) ? low : high) = middle;
+  }
+  return high;
+}
+
+double bytes_for_edge(const product::Solid& solid, double edge) {
+  const auto [least, most] = box_of(solid.mesh.points);
+  double cells = 1;
+  for (std::size_t a = 0; a < 3; ++a) cells *= (most[a] - least[a]) / edge + 3;
+  const double hexahedra = product::volume(solid) / (edge * edge * edge) + area_of(solid) / (edge * edge);
+  constexpr double for_cell = 16;
+  constexpr double for_hexahedron = 3000;
+  return for_cell * cells + for_hexahedron * hexahedra;
+}
+
+std::optional<Filling> fill(const product::Solid& solid, const FillOptions& options,
+                            const Progress& progress) {
+  double edge = options.edge ? *options.edge : edge_for(solid, options.cells.value_or(usual_cells));
+  constexpr double finer = 0.8;
+  constexpr int most_refinements = 6;
+  constexpr int most_fits = 3;
+  std::optional<Filling> best;
+  for (int k = 0, fits = 0; k <= most_refinements && fits < most_fits; ++k, edge *= finer) {
+    std::optional<Filling> found = filled_with(solid, edge, options, progress);
+    if (!found) continue;
+    ++fits;
+    found->refinements = k;
+    if (!best || is_preferred(*found, *best, options)) best = std::move(found);
+    if (best->is_good(options)) break;
+  }
+  return best;
+}
+
+} // namespace tetrarch::hex

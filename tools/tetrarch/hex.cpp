@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "command.hpp"
+#include "doctor.hpp"
+#include "embedding.hpp"
+#include "in_file.hpp"
+#include "input.hpp"
+#include "text.hpp"
+
+#include "tetrarch/core/error.hpp"
+#include "tetrarch/format/medit.hpp"
+#include "tetrarch/format/mesh_json.hpp"
+#include "tetrarch/format/text.hpp"
+#include "tetrarch/mesh/fill.hpp"
+#include "tetrarch/mesh/validate.hpp"
+#include "tetrarch/product/solid.hpp"
+#include "tetrarch/scene/files.hpp"
+#include "tetrarch/show/product.hpp"
+#include "tetrarch/workshop/filling.hpp"
+
+#include <memory>
+#include <optional>
+#include <utility>
+
+namespace tetrarch::program {
+namespace {
+
+struct Options {
+  std::string input;
+  std::vector<std::string> outputs;
+  std::optional<double> edge;
+  std::optional<std::int64_t> cells;
+  double sharp = hex::FillOptions{}.sharp;
+  double volume_tolerance = hex::FillOptions{}.volume_tolerance;
+  double hausdorff_tolerance = hex::FillOptions{}.hausdorff_tolerance;
+  Doctor doctor;
+};
+
+product::Solid read_solid(const Options& options, Result& result, const Context& context) {
+  format::Soup soup = read_soup(options.input, context);
+  for (std::string& done : mend(soup, options.doctor)) result.warnings.push_back(std::move(done));
+  return in_file(options.input, [&] {
+    if (soup.tetrahedra.empty() && !soup.triangles.empty()) soup = mesh::fill(soup, context.progress);
+    return product::solid(mesh::build(std::move(soup)));
+  });
+}
+
+hex::FillOptions wanted(const Options& options, const product::Solid& solid, const Context& context) {
+  hex::FillOptions result;
+  result.edge = options.edge;
+  result.cells = options.cells;
+  result.sharp = options.sharp;
+  result.volume_tolerance = options.volume_tolerance;
+  result.hausdorff_tolerance = options.hausdorff_tolerance;
+  const double edge =
+      options.edge ? *options.edge : hex::edge_for(solid, options.cells.value_or(hex::usual_cells));
+  require_memory(options.edge ? "--edge " + rounded(edge)
+                              : "--cells " + std::to_string(options.cells.value_or(hex::usual_cells)),
+                 hex::bytes_for_edge(solid, edge), allowed_gigabytes(context));
+  return result;
+}
+
+std::string file_of(const std::string& path, const hex::Filling& filling, const std::string& title) {
+  if (format::has_extension(path, ".mesh"))
+    return format::write_medit_hexahedra(filling.mesh.points, filling.mesh.hexahedra);
+  if (format::has_extension(path, ".json")) {
+    format::MeshDocument mesh;
+    mesh.soup.points = filling.mesh.points;
+    mesh.hexahedra = filling.mesh.hexahedra;
+    mesh.fields = {
+        field_of("scaled_jacobian", format::MeshField::On::hexahedra, filling.quality.scaled_jacobian)};
+    mesh.provenance = format::JsonValue::parse(Json{{"command", "hex"}, {"input", title}}.dump());
+    return write_mesh_json(mesh);
+  }
+  const scene::SceneFormat format = *scene::scene_format_for_extension(path);
+  scene::Scene scene{title, {}, {}, {}, {}};
+  scene.cells.push_back(show::hexahedra(
+      filling.mesh.points, filling.mesh.hexahedra,
+      {filling.quality.scaled_jacobian, std::vector<int>(filling.mesh.hexahedra.size(), -1)}));
+  if (format != scene::SceneFormat::vtu) scene.tubes.push_back(show::outer_edges(scene.cells.front()));
+  return scene::write_scene(scene, format);
+}
+
+void require_known(const std::string& path) {
+  if (format::has_extension(path, ".mesh") || format::has_extension(path, ".json") ||
+      scene::scene_format_for_extension(path))
+    return;
+  throw InputError({path, 0},
+                   "no known format of hexahedra (expected .mesh, .vtu, .json, .glb, .ply or .obj)");
+}
+
+Result run_hex(const Options& options, const Context& context) {
+  if (options.edge && options.cells) throw InputError("--edge and --cells exclude each other");
+  for (const std::string& path : options.outputs) require_known(path);
+  Result result;
+  const product::Solid solid = read_solid(options, result, context);
+  const workshop::FilledSolid found =
+      workshop::filled_solid(solid, wanted(options, solid, context), context.progress);
+  result.status = status_of(found.verdict());
+  result.json = tree_of(found);
+  result.text = block(rows_of(found));
+  if (found.verdict() != workshop::Verdict::yes)
+    result.warnings.push_back("the result is not to be relied on: " + joined(found.doubts(), "; "));
+  if (!found.filling) return result;
+  for (const std::string& path : options.outputs)
+    result.files.push_back({path, file_of(path, *found.filling, options.input)});
+  return result;
+}
+
+} // namespace
+
+Run declare_hex(OptionTable& table) {
+  const auto o = std::make_shared<Options>();
+  table.add("SOLID", o->input, "tetrahedra, or a closed surface, which TetGen fills; one boundary component")
+      .required();
+  table
+      .add("-o,--output", o->outputs,
+           "write hexahedra (.mesh, .vtu, .json), or what is to be seen of them (.glb, .ply, .obj); may be "
+           "repeated")
+      .value_name("FILE");
+  table
+      .add("--cells", o->cells,
+           "about how many hexahedra to make (default: " + std::to_string(hex::usual_cells) +
+               "); more, if the solid's parts are thin")
+      .in_range(1, 2e9);
+  table.add("--edge", o->edge, "wanted length of edges").positive();
+  table
+      .add("--sharp", o->sharp,
+           "degrees between the normals of two triangles, from which their edge is kept as a ridge")
+      .in_range(1.0, 180.0)
+      .with_default();
+  table
+      .add("--volume-tolerance", o->volume_tolerance,
+           "greatest relative difference of volumes; beyond, the exit status is 4")
+      .in_range(0.0, 1.0)
+      .with_default();
+  table
+      .add("--hausdorff-tolerance", o->hausdorff_tolerance,
+           "greatest distance between the surfaces in terms of the diagonal of the solid's box; beyond, the "
+           "exit status is 4")
+      .in_range(0.0, 1.0)
+      .with_default();
+  declare_doctor(table, o->doctor);
+  return [o](const Context& context) { return run_hex(*o, context); };
+}
+
+} // namespace tetrarch::program
