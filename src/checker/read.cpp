@@ -45,7 +45,7 @@ private:
   Json parsed(std::string_view text) const {
     std::vector<std::set<std::string>> keys; // of the objects that are open
     bool repeated = false;
-    const Json json = Json::parse(
+    Json json = Json::parse(
         text,
         [&](int depth, Json::parse_event_t event, Json& item) {
           if (depth > deepest_nesting) fail("brackets are nested too deeply");
@@ -90,7 +90,7 @@ private:
 
   /// An integer times a power of two: "-0x1ap-4".
   std::string exact(const Json& json, const std::string& what) const {
-    const std::string found = text(json, what);
+    std::string found = text(json, what);
     std::string_view rest = found;
     if (rest.starts_with('-')) rest.remove_prefix(1);
     const std::size_t p = rest.find('p');
@@ -110,7 +110,7 @@ private:
 
   /// A decimal number: "-6.45", "1e-5".
   std::string decimal(const Json& json, const std::string& what) const {
-    const std::string found = text(json, what);
+    std::string found = text(json, what);
     std::string_view rest = found;
     if (rest.starts_with('-')) rest.remove_prefix(1);
     const std::size_t e = std::min(rest.find('e'), rest.size());

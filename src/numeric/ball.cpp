@@ -282,7 +282,7 @@ std::string hexadecimal(const Ball& x) {
   const bool negative = fmpz_sgn(mantissa) < 0;
   fmpz_abs(mantissa, mantissa);
   const std::unique_ptr<char, void (*)(void*)> digits(fmpz_get_str(nullptr, 16, mantissa), flint_free);
-  const std::string text =
+  std::string text =
       (negative ? "-0x" : "0x") + std::string(digits.get()) + "p" + std::to_string(fmpz_get_si(exponent));
   fmpz_clear(mantissa);
   fmpz_clear(exponent);
