@@ -55,6 +55,7 @@
 #include "tetrarch/diagram/exterior.hpp"
 #include "tetrarch/diagram/layout.hpp"
 #include "tetrarch/diagram/moves.hpp"
+#include "tetrarch/diagram/names.hpp"
 #include "tetrarch/diagram/read.hpp"
 #include "tetrarch/diagram/wirtinger.hpp"
 #include "tetrarch/diagram/write.hpp"

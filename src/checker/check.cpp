@@ -74,7 +74,8 @@ struct Sums {
 /// Follows one certificate; stops at the first thing that it cannot prove.
 class Check {
 public:
-  explicit Check(const Certificate& given) : given_(given), classes_(classes_of(given.gluings)) {}
+  Check(const Certificate& given, const StillWanted& ask)
+      : given_(given), ask_(ask), classes_(classes_of(given.gluings)) {}
 
   Report run() {
     report_.tetrahedra = static_cast<int>(given_.gluings.size());
@@ -153,6 +154,7 @@ private:
     sum.curvature.assign(lengths.size(), 2 * Interval::pi());
     sum.slope.assign(free_.size(), std::vector<Interval>(free_.size(), Interval(0)));
     for (std::size_t t = 0; t < given_.gluings.size(); ++t) {
+      ask_();
       std::array<Interval, 6> six;
       Corners hyperideal{};
       for (int v = 0; v < 4; ++v) hyperideal[v] = classes_.link[classes_.vertex[t][v]] < 0;
@@ -166,7 +168,7 @@ private:
         sum.curvature[c] = sum.curvature[c] - values[e];
         add_slopes((*angles)[e], t, place_[c], sum.slope);
       }
-      if (with_volume) sum.volume = sum.volume + volume(values, hyperideal);
+      if (with_volume) sum.volume = sum.volume + volume(values, hyperideal, ask_);
     }
     return sum;
   }
@@ -200,6 +202,7 @@ private:
     const auto y = inverse(h);
     if (!y) return "the equations are singular";
     for (std::size_t i = 0; i < free_.size(); ++i) {
+      ask_();
       Interval step;
       Interval row;
       for (std::size_t j = 0; j < free_.size(); ++j) {
@@ -227,6 +230,7 @@ private:
   }
 
   const Certificate& given_;
+  const StillWanted& ask_;
   Classes classes_;
   Report report_;
   std::vector<Interval> middle_;  ///< lengths, by class
@@ -236,13 +240,11 @@ private:
 
 } // namespace
 
-Report check(std::string_view text, const std::string& source) {
+Report check(std::string_view text, const std::string& source, const std::function<void()>& still_wanted) {
   const Certificate given = read(text, source);
-  const mpfr_prec_t before = Interval::bits;
-  Interval::bits = given.bits + guard_bits;
-  Report report = Check(given).run();
-  Interval::bits = before;
-  return report;
+  const StillWanted ask = still_wanted ? still_wanted : [] {};
+  const Interval::Precision precision(given.bits + guard_bits);
+  return Check(given, ask).run();
 }
 
 } // namespace tetrarch::checker

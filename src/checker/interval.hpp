@@ -74,6 +74,17 @@ public:
 
   /// Of the intervals made from now on in this thread.
   static thread_local mpfr_prec_t bits;
+  /// Sets that for a scope.
+  class Precision {
+  public:
+    explicit Precision(mpfr_prec_t wanted) : before_(bits) { bits = wanted; }
+    ~Precision() { bits = before_; }
+    Precision(const Precision&) = delete;
+    Precision& operator=(const Precision&) = delete;
+
+  private:
+    mpfr_prec_t before_;
+  };
 
 private:
   template <class Function, class... More>

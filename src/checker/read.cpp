@@ -15,7 +15,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr int most_bits = 65536;
+constexpr int most_bits = 8192;
 constexpr std::size_t longest_number = 1'000'000;
 constexpr int deepest_nesting = 8;
 

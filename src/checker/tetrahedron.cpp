@@ -103,11 +103,12 @@ namespace {
 /// Used for |x| <= pi, where a term is at most a quarter of the one before.
 class Clausen {
 public:
-  Clausen() {
+  explicit Clausen(const StillWanted& ask) {
     const int terms = static_cast<int>(Interval::bits) / 2 + 2;
     // (n + 1/2) zeta(2n) = sum over 0 < k < n of zeta(2k) zeta(2n - 2k).
     std::vector<Interval> zeta{0, Interval::pi() * Interval::pi() / 6};
     for (int n = 2; n <= terms; ++n) {
+      ask();
       Interval sum;
       for (int k = 1; k < n; ++k) sum = sum + zeta[k] * zeta[n - k];
       zeta.push_back(2 * sum / (2 * n + 1));
@@ -179,12 +180,18 @@ Roots roots(const std::array<Interval, 6>& angles) {
 }
 
 /// Imaginary part of U(exp(i zeta)), twice.
-Interval twice_u(const Clausen& cl, const std::array<Interval, 6>& angles, const Interval& zeta) {
+Interval twice_u(const Clausen& cl, const std::array<Interval, 6>& angles, const Interval& zeta,
+                 const StillWanted& ask) {
   const auto& [a, b, c, f, e, d] = angles; // the formula's letters: D, E, F at 23, 13, 12
   Interval sum = cl(zeta);
-  for (const Interval& four : {a + b + d + e, a + c + d + f, b + c + e + f}) sum = sum + cl(zeta + four);
-  for (const Interval& three : {a + b + c, a + e + f, b + d + f, c + d + e})
+  for (const Interval& four : {a + b + d + e, a + c + d + f, b + c + e + f}) {
+    ask();
+    sum = sum + cl(zeta + four);
+  }
+  for (const Interval& three : {a + b + c, a + e + f, b + d + f, c + d + e}) {
+    ask();
     sum = sum - cl(zeta + Interval::pi() + three);
+  }
   return sum;
 }
 
@@ -195,12 +202,13 @@ Interval ideal_volume(const Clausen& cl, const std::array<Interval, 6>& angles) 
 
 } // namespace
 
-Interval volume(const std::array<Interval, 6>& angles, const Corners& hyperideal) {
+Interval volume(const std::array<Interval, 6>& angles, const Corners& hyperideal, const StillWanted& ask) {
   static thread_local mpfr_prec_t bits = 0;
   static thread_local std::optional<Clausen> clausen;
   if (bits != Interval::bits || !clausen) {
+    clausen.reset();
     bits = Interval::bits;
-    clausen.emplace();
+    clausen.emplace(ask);
   }
   if (hyperideal == Corners{}) return ideal_volume(*clausen, angles);
   const auto& [a, b, c, f, e, d] = angles;
@@ -215,7 +223,7 @@ Interval volume(const std::array<Interval, 6>& angles, const Corners& hyperideal
   const Roots root = roots(angles);
   const Interval half = atan2(root.r, root.s);
   const Interval phase = less(Interval(0), re) ? Interval::pi() - atan2(im, re) : -atan2(-im, -re);
-  return abs(twice_u(*clausen, angles, phase - half) - twice_u(*clausen, angles, phase + half)) / 4;
+  return abs(twice_u(*clausen, angles, phase - half, ask) - twice_u(*clausen, angles, phase + half, ask)) / 4;
 }
 
 } // namespace tetrarch::checker

@@ -63,6 +63,11 @@ Draft read_braid(CodeText& text) {
   if (strands > most_strands)
     text.fail("the braid has " + std::to_string(strands) + " strands (expected at most " +
               std::to_string(most_strands) + ")");
+  return closed_braid(braid.letters, strands);
+}
+
+Draft closed_braid(const std::vector<int>& letters, int strands) {
+  for (const int letter : letters) strands = std::max(strands, std::abs(letter) + 1);
   // Strands run upwards; each begins at a point of valence 2, so that a strand without letters is a circle.
   Draft draft;
   std::vector<int> end;
@@ -72,7 +77,7 @@ Draft read_braid(CodeText& text) {
     start.push_back(first);
     end.push_back(first + 1);
   }
-  for (const int letter : braid.letters) {
+  for (const int letter : letters) {
     const int s = std::abs(letter) - 1;
     // Darts to the southwest, southeast, northeast, northwest; a positive letter takes the strand from the
     // southwest over the other.

@@ -14,6 +14,8 @@ Draft read_embedding(CodeText& text);
 /// The crossings follow, with or without brackets round all.
 Draft read_planar_diagram(CodeText& text);
 Draft read_braid(CodeText& text);
+/// The closure of a braid of so many strands or more, if the letters need more. O(strands + letters).
+Draft closed_braid(const std::vector<int>& letters, int strands);
 Draft read_dt(CodeText& text);
 Draft read_gauss(CodeText& text);
 

@@ -24,13 +24,16 @@ struct Known {
 };
 
 /// What has this isometry signature; nothing if no table holds it.
-std::optional<Known> known_manifold(const std::string& isometry_signature) {
+std::optional<Known> known_manifold(const std::string& isometry_signature,
+                                    const std::vector<catalogue::Manifold>& own_table) {
   for (const detail::Famous& f : detail::famous)
     if (f.isometry_signature == isometry_signature) return Known{std::string(f.name), {}};
   if (auto m = catalogue::find_by_isometry_signature(isometry_signature)) {
     std::string name = m->name.empty() ? m->signature : m->name;
     return Known{std::move(name), std::move(m)};
   }
+  for (const catalogue::Manifold& m : own_table)
+    if (m.canonical_signature == isometry_signature) return Known{m.name.empty() ? m.signature : m.name, m};
   return std::nullopt;
 }
 
@@ -115,7 +118,7 @@ private:
   }
 
   void look_up(std::string isometry_signature) {
-    std::optional<Known> known = known_manifold(isometry_signature);
+    std::optional<Known> known = known_manifold(isometry_signature, options_.table);
     if (!known) {
       say("isometry signature " + isometry_signature + " is in no table: volume " +
           volume_text(*out_.volume) + ", tables hold manifolds with geodesic boundary of up to " +

@@ -104,9 +104,11 @@ SquareMatrix<Scalar> EdgeSystem::hessian(const hyperbolic::Metric<Scalar>& lengt
   return h;
 }
 
-std::optional<Ball> EdgeSystem::volume(const hyperbolic::Metric<Ball>& lengths) const {
+std::optional<Ball> EdgeSystem::volume(const hyperbolic::Metric<Ball>& lengths,
+                                       const Progress& progress) const {
   Ball sum = 0;
   for (int t = 0; t < skeleton_.tetrahedron_count(); ++t) {
+    progress.step("measuring");
     const auto part = hyperbolic::volume(hyperbolic::lengths_at(skeleton_, lengths, t),
                                          hyperbolic::types_at(skeleton_, types_, t));
     if (!part) return std::nullopt;

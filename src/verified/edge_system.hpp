@@ -3,6 +3,7 @@
 
 /// The equations of a structure in balls, and which of them are left where there are cusps.
 
+#include "tetrarch/core/progress.hpp"
 #include "tetrarch/hyperbolic/metric.hpp"
 #include "tetrarch/numeric/ball.hpp"
 
@@ -50,7 +51,8 @@ public:
   template <class Scalar>
   SquareMatrix<Scalar> hessian(const hyperbolic::Metric<Scalar>& lengths) const;
   /// The sum of the tetrahedra's volumes; nothing unless they exist.
-  std::optional<numeric::Ball> volume(const hyperbolic::Metric<numeric::Ball>& lengths) const;
+  std::optional<numeric::Ball> volume(const hyperbolic::Metric<numeric::Ball>& lengths,
+                                      const Progress& progress) const;
 
 private:
   void choose_fixed();

@@ -137,6 +137,7 @@ private:
     total_slope_ = 0;
     for (const Ball& slope : h.entries) total_slope_ += abs(slope);
     for (int i = 0; i < y.size; ++i) {
+      progress_.step("certifying");
       Ball row = 0;
       for (int j = 0; j < y.size; ++j) {
         Ball entry = i == j ? 1 : 0;
@@ -159,7 +160,7 @@ private:
     found.fixed = system_.fixed();
     const numeric::WorkingPrecision precise(found.bits + bits_beside_volume);
     const auto k = system_.curvature(middle_);
-    const auto volume = system_.volume(middle_);
+    const auto volume = system_.volume(middle_, progress_);
     if (!k || !volume) return {std::nullopt, missing_tetrahedron};
     Ball g = *volume;
     for (const EdgeId e : all<EdgeId>(middle_.size())) g -= middle_[e] * (*k)[e] / 2;

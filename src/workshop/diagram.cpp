@@ -4,6 +4,7 @@
 #include "tetrarch/core/error.hpp"
 #include "tetrarch/diagram/curve.hpp"
 #include "tetrarch/diagram/exterior.hpp"
+#include "tetrarch/diagram/names.hpp"
 #include "tetrarch/diagram/read.hpp"
 #include "tetrarch/diagram/write.hpp"
 #include "tetrarch/format/text.hpp"
@@ -67,9 +68,12 @@ diagram::Diagram open_diagram(const std::string& what, const OpenOptions& option
                               const Progress& progress) {
   if (diagram::looks_like_diagram(what)) return diagram::read_diagram(what, "the code given");
   if (!is_file(what, options.locate))
-    throw InputError(in_quotes(what) +
-                     " is no file and no code of a diagram (expected embedding, PD, X[...], "
-                     "braid, DT or Gauss)");
+    if (std::optional<diagram::Diagram> named = diagram::named_diagram(what)) return std::move(*named);
+  if (!is_file(what, options.locate))
+    throw InputError(
+        in_quotes(what) +
+        " is no file, no knot of Rolfsen's table and no code of a diagram (expected embedding, PD, X[...], "
+        "braid, DT or Gauss)");
   const std::string source = format::source_name(what);
   const std::string text = format::read_file(located(what, options.locate));
   if (diagram::looks_like_diagram(text) || !diagram::looks_like_curve(text))

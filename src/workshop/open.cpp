@@ -6,6 +6,7 @@
 #include "tetrarch/core/error.hpp"
 #include "tetrarch/core/signature.hpp"
 #include "tetrarch/diagram/exterior.hpp"
+#include "tetrarch/diagram/names.hpp"
 #include "tetrarch/diagram/read.hpp"
 #include "tetrarch/format/mesh_files.hpp"
 #include "tetrarch/format/read.hpp"
@@ -113,6 +114,8 @@ format::Document given_document(const std::string& argument, Locate locate) {
   if (const std::optional<FileElement> found = file_element(argument, locate))
     return chosen(read_collection(found->path, locate), found->element, argument);
   if (diagram::looks_like_diagram(argument)) return gluings_of(argument, given_diagram);
+  if (const std::optional<diagram::Diagram> knot = diagram::named_diagram(argument))
+    return format::document_of(diagram::exterior(*knot), argument);
   return spelled_out(argument);
 }
 

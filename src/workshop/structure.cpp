@@ -180,9 +180,13 @@ Structure structure(const Triangulation& tri, const StructureOptions& options, c
   hyperbolic::Search search = solve(tri, options, progress);
   Skeleton skeleton(search.triangulation);
   Structure found{std::move(search), std::move(skeleton), {}, {}, {}, options.digits};
-  if (!is_geometric(found)) return found;
+  const bool certifies = options.certify || options.digits > 0;
+  if (!is_geometric(found)) {
+    if (certifies) found.certified = verified::Certification{std::nullopt, "no structure was found"};
+    return found;
+  }
   found.cusps = hyperbolic::cusps(found.search.triangulation, found.skeleton, found.search.structure.lengths);
-  if (options.certify || options.digits > 0) certify(found, progress);
+  if (certifies) certify(found, progress);
   return found;
 }
 

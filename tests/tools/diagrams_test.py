@@ -43,6 +43,12 @@ class Exteriors(InFolder):
         done = run("info", "-", stdin="PD[X[1, 4, 2, 5], X[3, 6, 4, 1], X[5, 2, 6, 3]]\n")
         self.assertIn("torus (ideal)", done.stdout)
 
+    def test_knots_by_name(self):
+        self.assertEqual(run_json("exterior", "4_1")[1]["signature"], "cPcbbbiht")
+        self.assertAlmostEqual(run_json("hyperbolize", "5_2")[1]["volume"], 2.828122088330, delta=1e-11)
+        self.assertEqual(run_json("diagram", "10_165")[1]["components"], 1)
+        self.assertEqual(run("exterior", "10_166").returncode, 2)
+
     def test_mirror_and_seed(self):
         for more in (("--mirror",), ("--seed", "5")):
             self.assertEqual(run_json("exterior", FIGURE_EIGHT, *more)[1]["signature"], "cPcbbbiht")

@@ -72,18 +72,17 @@ SETS_OFF = {
 SETS_OFF = {name: tests | PICTURES if name.startswith(("include/", "src/")) else tests for name, tests in SETS_OFF.items()}
 
 
-class House(unittest.TestCase):
-    """The small house in a folder of its own; all its slow tests have passed."""
+class Folder(unittest.TestCase):
+    """The small house in a folder of its own."""
+
+    FILES = HOUSE
 
     def setUp(self):
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
         self.root = folder.name
-        for name, content in HOUSE.items():
+        for name, content in self.FILES.items():
             self.write(name, content)
-        self.assertEqual(self.selected(), ALL)  # nothing is noted yet
-        notes.record(self.root, "slow", self.build(), [])
-        self.assertEqual(self.selected(), set())
 
     def build(self):
         return os.path.join(self.root, "build")
@@ -93,6 +92,16 @@ class House(unittest.TestCase):
         os.makedirs(os.path.dirname(path), exist_ok=True)
         with open(path, "w", encoding="utf-8") as file:
             file.write(content)
+
+
+class House(Folder):
+    """All its slow tests have passed."""
+
+    def setUp(self):
+        super().setUp()
+        self.assertEqual(self.selected(), ALL)  # nothing is noted yet
+        notes.record(self.root, "slow", self.build(), [])
+        self.assertEqual(self.selected(), set())
 
     def selected(self):
         must, left_out = notes.select(self.root, "slow", self.build())
@@ -137,43 +146,33 @@ class House(unittest.TestCase):
         self.assertEqual(self.selected(), ALL - {"core.slow"})
 
 
-class UnderTheSanitizers(unittest.TestCase):
-    """The small house again, with a test of its program."""
+class UnderTheSanitizers(Folder):
+    """With a test of its program."""
 
+    FILES = {**HOUSE, "tests/tools/program_test.py": ""}
     ROOMS = {"core", "algebra", "bundle", "slit", "scene"}
     PROGRAM = {"program", "shell", "foreign", "schema"}
 
     def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.root = folder.name
-        self.build = os.path.join(self.root, "build")
-        for name, content in {**HOUSE, "tests/tools/program_test.py": ""}.items():
-            self.write(name, content)
+        super().setUp()
         self.assertEqual(self.selected(), self.ROOMS | self.PROGRAM)
-        notes.record(self.root, "sanitize", self.build, [])
+        notes.record(self.root, "sanitize", self.build(), [])
         self.assertEqual(self.selected(), set())
 
-    def write(self, name, content):
-        path = os.path.join(self.root, name)
-        os.makedirs(os.path.dirname(path), exist_ok=True)
-        with open(path, "w", encoding="utf-8") as file:
-            file.write(content)
-
     def selected(self):
-        return set(notes.select(self.root, "sanitize", self.build)[0])
+        return set(notes.select(self.root, "sanitize", self.build())[0])
 
     def test_a_changed_file_sets_off_its_rooms_and_the_program(self):
         for name, expected in {"src/slit/d.cpp": {"slit", "algebra"} | self.PROGRAM, "tests/scene/e_test.cpp": {"scene"},
                                "tests/tools/program_test.py": self.PROGRAM, "tools/tetrarch/main.cpp": self.PROGRAM,
                                "src/core/a.cpp": self.ROOMS | self.PROGRAM, "README.md": set()}.items():
-            before = {**HOUSE, "tests/tools/program_test.py": ""}[name]
+            before = self.FILES[name]
             self.write(name, before + "\n// more")
             self.assertEqual(self.selected(), expected, name)
             self.write(name, before)
 
     def test_the_two_kinds_have_notes_of_their_own(self):
-        self.assertEqual(len(notes.select(self.root, "slow", self.build)[0]), len(ALL))
+        self.assertEqual(len(notes.select(self.root, "slow", self.build())[0]), len(ALL))
 
     def test_each_commit_doubts_one_room_and_in_time_every_one(self):
         git = ["git", "-C", self.root, "-c", "user.name=a", "-c", "user.email=a@example.org"]

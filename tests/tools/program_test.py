@@ -171,7 +171,7 @@ class Proofs(InFolder):
         path = self.path("none.cert.json")
         status, found = run_json("hyperbolize", "dLQacccjcog", "--as-given", "--certify", "-o", path)
         self.assertEqual((status, found["outcome"]), (4, "not found"))
-        self.assertNotIn("certified", found)
+        self.assertEqual(found["certified"], False)
         self.assertFalse(os.path.exists(path))
 
 
@@ -288,6 +288,11 @@ class Census(unittest.TestCase):
         self.assertEqual(len(run_json("census", "list")[1]["manifolds"]), 151)
 
 
+
+# Five tetrahedra round one edge: census gluings --tetrahedra 5 --orientable --links 5 --min-valence 30, the first.
+FIVE = "fLAMcabcdeejjbdds"
+
+
 class Identify(unittest.TestCase):
     def test_manifolds_are_chosen_by_what_they_are(self):
         # Frigerio, Martelli, Petronio 2004, tables of the compact manifolds and of those with cusps.
@@ -305,6 +310,24 @@ class Identify(unittest.TestCase):
                         ("--boundary", "2,"), ("--cusps", "-1")):
             self.assertEqual(run("census", "list", *options).returncode, 2, options)
         self.assertEqual(run_json("census", "identify", "eLAkbcbdddhjhk")[1]["name"], "fmp4_1")
+
+    def test_ones_own_table(self):
+        with tempfile.TemporaryDirectory() as folder:
+            table = os.path.join(folder, "own.json")
+            with open(f"{SOURCE}/census/fmp3.json", encoding="utf-8") as file:
+                text = json.load(file)
+            # A manifold of five tetrahedra that no table holds (Frigerio, Martelli, Petronio stop at four).
+            found = run_json("census", "identify", FIVE)[1]
+            self.assertIsNone(found["name"])
+            entry = {**text["manifolds"][0], "name": "mine", "signature": found["signature"],
+                     "canonical_signature": found["isometry_signature"]}
+            del entry["dihedral_angles"]
+            with open(table, "w", encoding="utf-8") as file:
+                json.dump({**text, "tetrahedra": 5, "manifolds": [entry]}, file)
+            self.assertEqual(run_json("census", "identify", FIVE, "--table", table)[1]["name"], "mine")
+            with open(table, "a", encoding="utf-8") as file:
+                file.write("more")
+            self.assertEqual(run("census", "identify", FIVE, "--table", table).returncode, 2)
 
     def test_a_census_that_is_killed_goes_on(self):
         with tempfile.TemporaryDirectory() as folder:

@@ -95,7 +95,7 @@ Run declare_hyperbolize(OptionTable& table) {
            "certificate")
       .value_name("FILE");
   table.add("--certify", options->certify, "prove that the structure exists, and enclose its volume");
-  table.add("--digits", options->digits, "the same, with so many digits of the volume").in_range(1, 10'000);
+  table.add("--digits", options->digits, "the same, with so many digits of the volume").in_range(1, 2'000);
   table.add("--as-given", options->as_given, "solve on the given triangulation and on no other");
   table.add("--attempts", options->attempts, "greatest number of triangulations to try")
       .in_range(1, 10'000'000)

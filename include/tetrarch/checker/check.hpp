@@ -19,6 +19,7 @@
 /// printed (Lobachevsky's where all vertices are ideal), at the midpoint, and from there by Schlaefli's.
 /// Sources: Yin, section 4.3; Ushijima 2006; Moore-Kearfott-Cloud 2009, section 8.2.
 
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -40,7 +41,9 @@ struct Report {
 };
 
 /// Throws InputError that names `source` for a text that is no certificate: broken JSON, a member that is
-/// missing, unknown or of a wrong type, a number out of range. Milliseconds for a handful of tetrahedra.
-Report check(std::string_view text, const std::string& source);
+/// missing, unknown or of a wrong type, a number out of range. Milliseconds for a handful of tetrahedra,
+/// seconds for a thousand digits. `still_wanted` is called now and then, and may throw to end the check.
+Report check(std::string_view text, const std::string& source,
+             const std::function<void()>& still_wanted = {});
 
 } // namespace tetrarch::checker

@@ -38,7 +38,7 @@ struct Structure {
   hyperbolic::Search search; ///< the structure and the triangulation that carries it
   Skeleton skeleton;         ///< of that triangulation
   std::vector<hyperbolic::Cusp> cusps;
-  std::optional<verified::Certification> certified; ///< if it was asked for and a structure was found
+  std::optional<verified::Certification> certified; ///< if it was asked for
   std::string certificate;                          ///< the file that proves it; empty: there is none
   int digits = 0;                                   ///< of the volume that were asked for
 
