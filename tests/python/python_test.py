@@ -129,11 +129,11 @@ class TheTables(unittest.TestCase):
         made = subprocess.run([sys.executable, os.path.join(SOURCE, "tools", "python", "make_stubs")], capture_output=True,
                               text=True, check=True).stdout
         with open(os.path.join(SOURCE, "tools", "python", "tetrarch", "commands.pyi"), encoding="utf-8") as file:
-            self.assertEqual(file.read(), made)
+            self.assertEqual(file.read(), made, "tools/python/make_stubs --write was not done")
         with open(os.path.join(SOURCE, "tools", "python", "tetrarch", "__init__.py"), encoding="utf-8") as file:
             text = file.read()
         spelled = text.split("from .commands import (")[1].split(")")[0].replace(",", " ").split()
-        self.assertEqual(spelled, sorted(tt.commands.functions()))
+        self.assertEqual(spelled, sorted(tt.commands.functions()), "tools/python/make_stubs --write was not done")
 
     @unittest.skipUnless(importlib.util.find_spec("mypy"), "mypy is not installed")
     def test_types(self):

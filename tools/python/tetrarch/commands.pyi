@@ -284,8 +284,8 @@ def slit(SURFACE: Any, /, *elements: Any, domain: Literal["cylindric", "parallel
     outer: Optional[Word] = ..., inner: Optional[Word] = ..., method: Literal["harmonic", "ricci"] = ...,
     center: Optional[Word] = ..., punch: Optional[Union[Word, Sequence[Word]]] = ...,
     slice: Optional[Union[Word, Sequence[Word]]] = ..., open_handles: bool = ..., list_loops: bool = ...,
-    fingerprint: bool = ..., distance: Any = ..., mirror: bool = ..., unflip: bool = ..., intrinsic: bool = ...,
-    stage: Optional[int] = ..., basis: Optional[int] = ..., quads: Optional[int] = ...,
+    fingerprint: bool = ..., distance: Any = ..., mirror: bool = ..., unflip: bool = ..., allow_flips: bool = ...,
+    intrinsic: bool = ..., stage: Optional[int] = ..., basis: Optional[int] = ..., quads: Optional[int] = ...,
     output: Optional[Union[Word, Sequence[Word]]] = ..., weld: Optional[Union[bool, Word]] = ...,
     component: Optional[Word] = ..., repair: bool = ..., seed: int = ..., threads: Optional[int] = ...,
     memory: Optional[float] = ..., progress: Progress = ...) -> Result: ...
@@ -374,6 +374,6 @@ class CensusIdentifyResult(Result):
     @property
     def tried(self) -> Any: ...
 
-def census_identify(X: Any, /, *elements: Any, attempts: int = ..., seed: int = ..., threads: Optional[int] = ...,
-    memory: Optional[float] = ..., progress: Progress = ...) -> CensusIdentifyResult: ...
+def census_identify(X: Any, /, *elements: Any, attempts: int = ..., table: Optional[Word] = ..., seed: int = ...,
+    threads: Optional[int] = ..., memory: Optional[float] = ..., progress: Progress = ...) -> CensusIdentifyResult: ...
 def help(*COMMAND: Any, seed: int = ..., threads: Optional[int] = ..., memory: Optional[float] = ..., progress: Progress = ...) -> Result: ...
