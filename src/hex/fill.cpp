@@ -128,11 +128,15 @@ struct Start {
 
 std::optional<SizedHexahedra> cells_in(const product::Solid& solid, const Targets& targets, double edge,
                                        const Progress& progress) {
-  const Grid grid = grid_around(solid.mesh.points, edge, flat_sides(targets));
-  const std::vector<float> full = filled(solid, solid.mesh.points, grid, progress);
-  for (const double least : {0.5, 0.35, 0.65, 0.2, 0.8})
-    if (const auto chosen = chosen_cells(grid, full, product::genus(solid), least))
-      return cells_of(grid, *chosen);
+  const int genus = product::genus(solid);
+  const auto sides = flat_sides(targets);
+  // Flat cells, as the second grid may have them, are for solids that are thin between flat sides.
+  for (const double apart : {0.4, 0.001}) {
+    const Grid grid = grid_around(solid.mesh.points, edge, sides, apart);
+    const std::vector<float> full = filled(solid, solid.mesh.points, grid, progress);
+    for (const double least : {0.5, 0.35, 0.65, 0.2, 0.8})
+      if (const auto chosen = chosen_cells(grid, full, genus, least)) return cells_of(grid, *chosen);
+  }
   return std::nullopt;
 }
 
@@ -184,7 +188,7 @@ Filling measured(const product::Solid& solid, Fitted fitted, double edge) {
 /// With one length of edges; nothing where the grid has not the solid's genus.
 std::optional<Filling> filled_with(const product::Solid& solid, double edge, const FillOptions& options,
                                    const Progress& progress) {
-  const Targets targets(solid, features(solid, {.sharp = options.sharp, .least_area = edge * edge / 2}));
+  const Targets targets(solid, features(solid, {.sharp = options.sharp, .least_extent = edge}));
   std::optional<SizedHexahedra> cells = cells_in(solid, targets, edge, progress);
   if (!cells) return std::nullopt;
   Match match = unmatched(cells->mesh);

@@ -121,7 +121,7 @@ TEST_CASE("a box has six patches, twelve ridges and eight corners", "[hex]") {
     CHECK(rim.vertices.front() == rim.vertices.back());
   }
   // All patches of a box are smaller than this: one is left.
-  CHECK(features(box_solid(), {.least_area = 100}).patches == 1);
+  CHECK(features(box_solid(), {.least_extent = 100}).patches == 1);
 }
 
 TEST_CASE("cells take in a box exactly where planes meet its sides", "[hex]") {

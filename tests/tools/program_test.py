@@ -15,6 +15,7 @@ import tempfile
 import time
 import unittest
 
+from hex_test import *  # noqa: F401,F403: hexahedra of solids
 from hostile_test import *  # noqa: F401,F403: files and surroundings that mean no good
 from inputs_test import *  # noqa: F401,F403: what stands for a triangulation
 from meshes_test import *  # noqa: F401,F403: meshes from elsewhere, and mending them
