@@ -77,19 +77,19 @@ class Hex(InFolder):
         self.assertEqual(len(made["worst"]), 10)
 
     def test_a_smooth_solid_with_handles(self):
-        """The surface of genus 2 is filled by TetGen; of the file all is counted again."""
-        torus = os.path.join(SOURCE, "tests/data/mesh/double_torus.off")
+        """Five handles; of the file all is counted again."""
+        torus = os.path.join(SOURCE, "tests/data/genus5_smooth.mesh")
         path = self.path("torus.mesh")
-        status, made = run_json("hex", torus, "--cells", "1500", "-o", path)
+        status, made = run_json("hex", torus, "--cells", "1500", "--hausdorff-tolerance", "0.05", "-o", path)
         points, hexahedra = self.read(path)
         self.assertEqual(len(hexahedra), made["hexahedra"])
         least = self.least_at_corners(points, hexahedra)
         self.assertLessEqual(made["min_scaled_jacobian"], least + 1e-6)
         self.assertEqual(made["inverted"] == 0, made["min_scaled_jacobian"] > 0)
-        good = made["inverted"] == 0 and abs(made["volume_ratio"] - 1) <= 0.01 and made["hausdorff"] <= 0.01
+        good = made["inverted"] == 0 and abs(made["volume_ratio"] - 1) <= 0.01 and made["hausdorff"] <= 0.05
         self.assertEqual((status, made["doubts"] == []), (0 if good else 4, good))
         self.assertEqual(made["inverted"], 0)
-        # Vertices - edges + squares of the surface of genus 2.
+        # Vertices - edges + squares of the surface of genus 5.
         squares = {}
         sides = ((0, 3, 2, 1), (4, 5, 6, 7), (0, 1, 5, 4), (1, 2, 6, 5), (2, 3, 7, 6), (3, 0, 4, 7))
         for h in hexahedra:
@@ -98,7 +98,7 @@ class Hex(InFolder):
                 squares.setdefault(tuple(sorted(square)), []).append(square)
         outer = [found[0] for found in squares.values() if len(found) == 1]
         edges = {tuple(sorted((s[k], s[(k + 1) % 4]))) for s in outer for k in range(4)}
-        self.assertEqual(len({v for s in outer for v in s}) - len(edges) + len(outer), -2)
+        self.assertEqual(len({v for s in outer for v in s}) - len(edges) + len(outer), -8)
 
     def test_what_is_beyond_a_tolerance_is_told(self):
         torus = os.path.join(SOURCE, "tests/data/mesh/double_torus.off")

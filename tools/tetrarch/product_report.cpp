@@ -249,8 +249,8 @@ Report hexahedra_report(const MeasuredHexahedra& hexahedra) {
       {"hexahedra", std::to_string(count) + (left_out > 0 ? ", left out " + std::to_string(left_out) : "")},
       {"volume", rounded(hexahedra.volume) + ", of the solid " + rounded(hexahedra.solid_volume) +
                      ", relative error " + scientific(hexahedra.volume_error(), 1)},
-      {"Hausdorff distance", scientific(hexahedra.deviation.relative(), 1) + " of the diagonal, at " +
-                                 at(hexahedra.deviation.at())},
+      {"distance", scientific(hexahedra.deviation.relative(), 1) +
+                       " of the diagonal between the surfaces, at " + at(hexahedra.deviation.at())},
       {"scaled Jacobian", fixed(quality.minimum, 4) + " at least, " + fixed(quality.mean, 4) +
                               " on average, 0 or less in " + std::to_string(quality.bad.size())},
       {"", histogram_text(quality)},
