@@ -218,7 +218,8 @@ std::vector<Isomorphism> isometry_group(const Canonical& canonical) {
 }
 
 const char* to_string(IsometryAnswer::Proof proof) {
-  constexpr std::array<const char*, 5> names{"none", "isomorphism", "boundary", "homology", "cells"};
+  constexpr std::array<const char*, 6> names{"none",     "isomorphism", "boundary",
+                                             "homology", "volume",      "cells"};
   return names[static_cast<std::size_t>(proof)];
 }
 
@@ -231,11 +232,13 @@ IsometryAnswer compare(const Canonical& a, const Canonical& b) {
   if (auto isometry = find_isomorphism(a.canonical_triangulation, b.canonical_triangulation))
     return {Verdict::isometric, Proof::isomorphism, "the canonical triangulations are isomorphic",
             *std::move(isometry)};
-  if (a.has_flat_faces || b.has_flat_faces)
-    return {Verdict::undecided,
-            Proof::none,
-            "the canonical decompositions differ, but a face is flat to 30 digits, which is not a proof",
-            {}};
+  for (const Canonical* m : {&a, &b})
+    if (!m->proof.certified)
+      return {Verdict::undecided,
+              Proof::none,
+              "the canonical decompositions differ, but one is not proved" +
+                  (m->proof.why_not.empty() ? std::string() : ": " + m->proof.why_not),
+              {}};
   return {Verdict::not_isometric, Proof::cells, "the canonical triangulations differ", {}};
 }
 

@@ -45,6 +45,16 @@ Vector3<Scalar> apply(const Matrix3<Scalar>& m, const Vector3<Scalar>& x) {
   return {dot<Scalar>(m[0], x), dot<Scalar>(m[1], x), dot<Scalar>(m[2], x)};
 }
 
+/// Whether a sum of areas is one of a cusp rather than of nothing. A ball that may hold 0 is none the less.
+template <class Scalar>
+bool is_area(const Scalar& total) {
+  return total > 0;
+}
+template <>
+bool is_area(const numeric::Ball& total) {
+  return total != numeric::Ball(0);
+}
+
 /// Vertex classes by t-vertex (4 t + v).
 std::vector<int> vertex_numbers(const Skeleton& skeleton) {
   std::vector<int> vertex;
@@ -184,7 +194,7 @@ void set_cusp_areas(Decorated<Scalar>& m, const std::vector<int>& vertex, int ve
   }
   std::vector<Scalar> scale(total.size(), Scalar(1));
   for (std::size_t v = 0; v < total.size(); ++v)
-    if (total[v] > 0) scale[v] = sqrt(Scalar(total[v] / area));
+    if (is_area<Scalar>(total[v])) scale[v] = sqrt(Scalar(total[v] / area));
   for (int t = 0; t < m.tri.size(); ++t)
     for (int i = 0; i < 4; ++i)
       for (int j = 0; j < 4; ++j) m.gram[t][i][j] *= scale[vertex[4 * t + i]] * scale[vertex[4 * t + j]];
@@ -193,11 +203,15 @@ void set_cusp_areas(Decorated<Scalar>& m, const std::vector<int>& vertex, int ve
 #define TETRARCH_DECORATED(Scalar)                                                                           \
   template Decorated<Scalar> decorate(const Triangulation&, const Skeleton&,                                 \
                                       const hyperbolic::Metric<Scalar>&);                                    \
-  template Scalar cone_volume(const Decorated<Scalar>&, int);                                                \
   template Across<Scalar> look_across(const Decorated<Scalar>&, TetFace);                                    \
-  template Scalar product_across(const Decorated<Scalar>&, TetFace, const Across<Scalar>&);                  \
-  template Decorated<Scalar> move(const Decorated<Scalar>&, const moves::Ball&, int, int, const Scalar&);    \
   template void set_cusp_areas(Decorated<Scalar>&, const std::vector<int>&, int, const Scalar&);
+TETRARCH_FOR_EACH_FORMULA(TETRARCH_DECORATED)
+#undef TETRARCH_DECORATED
+
+#define TETRARCH_DECORATED(Scalar)                                                                           \
+  template Scalar cone_volume(const Decorated<Scalar>&, int);                                                \
+  template Scalar product_across(const Decorated<Scalar>&, TetFace, const Across<Scalar>&);                  \
+  template Decorated<Scalar> move(const Decorated<Scalar>&, const moves::Ball&, int, int, const Scalar&);
 TETRARCH_FOR_EACH_SCALAR(TETRARCH_DECORATED)
 #undef TETRARCH_DECORATED
 

@@ -46,9 +46,10 @@ Manifold from_json(const Json& j, int tetrahedra) {
   m.cells = j.at("cells").get<std::vector<std::string>>();
   m.canonical_signature = j.at("canonical_signature");
   m.symmetries = j.at("symmetries");
-  m.dihedral_angles = j.at("dihedral_angles").get<std::vector<std::array<std::string, 6>>>();
+  if (j.contains("dihedral_angles"))
+    m.dihedral_angles = j.at("dihedral_angles").get<std::vector<std::array<std::string, 6>>>();
   if (from_signature(m.signature).size() != tetrahedra ||
-      static_cast<int>(m.dihedral_angles.size()) != tetrahedra)
+      (!m.dihedral_angles.empty() && static_cast<int>(m.dihedral_angles.size()) != tetrahedra))
     throw InputError("'" + m.signature + "' does not have " + std::to_string(tetrahedra) + " tetrahedra");
   return m;
 }
@@ -74,14 +75,33 @@ Json to_json(const Manifold& m) {
   j["cells"] = m.cells;
   j["canonical_signature"] = m.canonical_signature;
   j["symmetries"] = m.symmetries;
-  j["dihedral_angles"] = m.dihedral_angles;
+  if (!m.dihedral_angles.empty()) j["dihedral_angles"] = m.dihedral_angles;
   return j;
+}
+
+/// The line of a stored table that holds this member; empty if there is none. It is not parsed.
+std::string_view line_with(std::string_view table, const std::string& member) {
+  const std::size_t found = table.find(member);
+  if (found == std::string_view::npos) return {};
+  const std::size_t begin = table.rfind('\n', found) + 1;
+  std::string_view line = table.substr(begin, table.find('\n', found) - begin);
+  while (line.starts_with(' ')) line.remove_prefix(1);
+  if (line.ends_with(',')) line.remove_suffix(1);
+  return line;
 }
 
 } // namespace
 
 std::string json_text(const Manifold& m) {
   return to_json(m).dump();
+}
+
+Manifold read_manifold(std::string_view text, int tetrahedra) {
+  try {
+    return from_json(parse(text, "a manifold"), tetrahedra);
+  } catch (const Json::exception& e) {
+    throw InputError(std::string("this is no manifold of the census: ") + e.what());
+  }
 }
 
 std::string Manifold::boundary_text() const {
@@ -118,6 +138,11 @@ std::vector<VolumeCount> count_volumes(const std::vector<Manifold>& sorted) {
     ++counts.back().manifolds;
   }
   return counts;
+}
+
+std::vector<Manifold> without_angles(std::vector<Manifold> manifolds) {
+  for (Manifold& m : manifolds) m.dihedral_angles.clear();
+  return manifolds;
 }
 
 std::string write_table(int tetrahedra, const std::vector<Manifold>& manifolds) {
@@ -179,13 +204,38 @@ const std::vector<Manifold>& require_table(int tetrahedra) {
                    " tetrahedra is stored (stored: " + (stored.empty() ? "none" : stored) + ")");
 }
 
+int stored_count(int tetrahedra) {
+  const std::string_view text = stored_table_text(tetrahedra);
+  int count = 0;
+  for (std::size_t at = text.find("\n    {"); at != std::string_view::npos; at = text.find("\n    {", at + 1))
+    ++count;
+  return count;
+}
+
 std::optional<Manifold> find_by_name(std::string_view name) {
   for (const int n : stored_tables()) {
-    if (name.substr(0, 5) != "fmp" + std::to_string(n) + "_") continue;
-    for (const Manifold& m : stored_table(n))
-      if (m.name == name) return m;
+    if (!name.starts_with("fmp" + std::to_string(n) + "_")) continue;
+    const std::string_view line = line_with(stored_table_text(n), "{\"name\":\"" + std::string(name) + "\"");
+    if (!line.empty()) return read_manifold(line, n);
   }
   return std::nullopt;
+}
+
+std::optional<Manifold> find_by_isometry_signature(std::string_view signature) {
+  for (const int n : stored_tables()) {
+    const std::string_view line =
+        line_with(stored_table_text(n), "\"canonical_signature\":\"" + std::string(signature) + "\"");
+    if (!line.empty()) return read_manifold(line, n);
+  }
+  return std::nullopt;
+}
+
+std::vector<std::string> stored_names() {
+  std::vector<std::string> names;
+  for (const int n : stored_tables())
+    for (int k = 1, count = stored_count(n); k <= count; ++k)
+      names.push_back("fmp" + std::to_string(n) + "_" + std::to_string(k));
+  return names;
 }
 
 } // namespace tetrarch::catalogue

@@ -1,16 +1,19 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Reading and writing whole files, by POSIX calls: streams cannot tell why something failed.
+#include "tetrarch/format/new_files.hpp"
 #include "tetrarch/format/text.hpp"
 
 #include <atomic>
 #include <cerrno>
 #include <fcntl.h>
 #include <filesystem>
+#include <memory>
 #include <mutex>
 #include <set>
 #include <sys/stat.h>
 #include <system_error>
 #include <unistd.h>
+#include <vector>
 
 namespace tetrarch::format {
 namespace {
@@ -114,6 +117,61 @@ bool is_device(const std::string& path) {
   return fs::exists(status) && !fs::is_regular_file(status);
 }
 
+/// What is in the folder survives a loss of power. Some file systems cannot do that, and none is asked twice.
+void keep_folder_of(const std::string& path) {
+  const std::string folder = fs::path(path).parent_path().string();
+  const Descriptor opened(::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  if (opened.get() >= 0) ::fsync(opened.get());
+}
+
+/// The new content of a file, written beside it; then put in its place, and taken back if others fail.
+class Replacement {
+public:
+  explicit Replacement(const NewFile& file)
+      : path_(file.path), target_(target_of(file.path)), beside_(target_), old_(target_) {
+    Descriptor opened(::open(beside_.name().c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
+    if (opened.get() < 0) fail(path_, "cannot be written: " + reason(errno));
+    struct stat about {};
+    existed_ = ::stat(target_.c_str(), &about) == 0;
+    if (existed_) ::fchmod(opened.get(), about.st_mode & 07777U);
+    int error = write_all(opened.get(), file.content);
+    if (error == 0 && ::fsync(opened.get()) != 0) error = errno;
+    const int close_error = opened.close();
+    if (error == 0) error = close_error;
+    if (error != 0) fail(path_, "cannot be written: " + reason(error));
+  }
+
+  /// 0 or an errno. With `can_go_back` the old file stays beside the new one as long as this lives.
+  int put_in_place(bool can_go_back) {
+    kept_old_ = can_go_back && existed_ && ::link(target_.c_str(), old_.name().c_str()) == 0;
+    if (::rename(beside_.name().c_str(), target_.c_str()) != 0) return errno;
+    beside_.keep();
+    keep_folder_of(target_);
+    return 0;
+  }
+
+  void take_back() {
+    if (kept_old_ && ::rename(old_.name().c_str(), target_.c_str()) == 0) old_.keep();
+    if (!existed_) ::unlink(target_.c_str());
+  }
+
+  const std::string& path() const { return path_; }
+
+private:
+  static std::string target_of(const std::string& path) {
+    std::string target = behind_links(path);
+    if (target.empty()) fail(path, "cannot be written: the link leads nowhere");
+    return target;
+  }
+
+  std::string path_;
+  std::string target_;
+  Beside beside_;
+  Beside old_;
+  bool existed_ = false;
+  bool kept_old_ = false;
+};
+
 } // namespace
 
 std::string source_name(const std::string& path) {
@@ -164,23 +222,24 @@ void require_writable(const std::string& path) {
   if (file.get() < 0) fail(path, "cannot be written: " + reason(errno));
 }
 
-void write_file_atomically(const std::string& path, std::string_view content) {
-  if (is_device(path)) return write_directly(path, content);
-  const std::string target = behind_links(path);
-  if (target.empty()) fail(path, "cannot be written: the link leads nowhere");
+void write_files_atomically(std::span<const NewFile> files) {
+  std::vector<std::unique_ptr<Replacement>> replacements;
+  for (const NewFile& file : files)
+    if (!is_device(file.path)) replacements.push_back(std::make_unique<Replacement>(file));
+  for (const NewFile& file : files)
+    if (is_device(file.path)) write_directly(file.path, file.content);
+  const bool can_go_back = replacements.size() > 1;
+  for (std::size_t k = 0; k < replacements.size(); ++k) {
+    const int error = replacements[k]->put_in_place(can_go_back);
+    if (error == 0) continue;
+    for (std::size_t done = k; done-- > 0;) replacements[done]->take_back();
+    fail(replacements[k]->path(), "cannot be written: " + reason(error));
+  }
+}
 
-  Beside beside(target);
-  Descriptor file(::open(beside.name().c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
-  if (file.get() < 0) fail(path, "cannot be written: " + reason(errno));
-  struct stat about {};
-  if (::stat(target.c_str(), &about) == 0) ::fchmod(file.get(), about.st_mode & 07777U);
-  int error = write_all(file.get(), content);
-  if (error == 0 && ::fsync(file.get()) != 0) error = errno;
-  const int close_error = file.close();
-  if (error == 0) error = close_error;
-  if (error == 0 && ::rename(beside.name().c_str(), target.c_str()) != 0) error = errno;
-  if (error != 0) fail(path, "cannot be written: " + reason(error));
-  beside.keep();
+void write_file_atomically(const std::string& path, std::string_view content) {
+  const NewFile file{path, content};
+  write_files_atomically({&file, 1});
 }
 
 } // namespace tetrarch::format

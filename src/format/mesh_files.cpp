@@ -6,6 +6,7 @@
 #include "tetrarch/format/gmsh.hpp"
 #include "tetrarch/format/medit.hpp"
 #include "tetrarch/format/mesh_json.hpp"
+#include "tetrarch/format/new_files.hpp"
 #include "tetrarch/format/surface_files.hpp"
 #include "tetrarch/format/tetgen.hpp"
 #include "tetrarch/format/text.hpp"
@@ -233,9 +234,9 @@ void write_soup_file(const Soup& soup, const std::string& path) {
   if (*format != MeshFormat::tetgen) return write_file_atomically(path, write_soup(soup, *format));
   const TetgenPaths paths = tetgen_paths(path);
   const TetgenFiles files = write_tetgen(soup);
-  write_file_atomically(paths.node, files.node);
-  write_file_atomically(paths.ele, files.ele);
-  if (!files.face.empty()) write_file_atomically(paths.face, files.face);
+  std::vector<NewFile> together{{paths.node, files.node}, {paths.ele, files.ele}};
+  if (!files.face.empty()) together.push_back({paths.face, files.face});
+  write_files_atomically(together);
 }
 
 // Whatever the format: what every reader would have to ask is asked once.

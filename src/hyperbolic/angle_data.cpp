@@ -81,7 +81,7 @@ std::optional<AngleData<Scalar>> angle_data(const std::array<kernel::EdgeForm<Sc
   AngleData<Scalar> data;
   Scalar products = 0;
   for (int e = 0; e < 6; ++e) {
-    if (form[e].g == 0) return std::nullopt; // two truncating planes that touch or cross
+    if (!(form[e].g > 0)) return std::nullopt; // two truncating planes that touch or cross
     set_angle(data, e, bounded, form[e].g);
     if (e < 3) products += form[e].g * form[opposite_edge(e)].g;
   }
@@ -93,7 +93,7 @@ std::optional<AngleData<Scalar>> angle_data(const std::array<kernel::EdgeForm<Sc
 #define TETRARCH_INSTANTIATE(Scalar)                                                                         \
   template std::optional<AngleData<Scalar>> angle_data(const std::array<kernel::EdgeForm<Scalar>, 6>&,       \
                                                        const VertexTypes&);
-TETRARCH_FOR_EACH_SCALAR(TETRARCH_INSTANTIATE)
+TETRARCH_FOR_EACH_FORMULA(TETRARCH_INSTANTIATE)
 #undef TETRARCH_INSTANTIATE
 
 } // namespace tetrarch::hyperbolic

@@ -8,6 +8,8 @@
 ///   spread = atan2(sqrt D, g01 g23 + g02 g13 + g03 g12),   D = -det W
 /// (his square root of the determinant of the angles, D^(3/2) / sqrt(prod A_kk), and his sum of products of
 /// sines have the factor D / sqrt(prod A_kk) in common), and `phase` follows from the angles.
+///
+/// In balls, values carry their errors themselves: the bounds that stand beside them say nothing there.
 
 #include "kernel.hpp"
 #include "tetrarch/hyperbolic/volume.hpp"

@@ -48,6 +48,17 @@ EdgeForm<Scalar> edge_form(VertexType a, VertexType b, const Scalar& length) {
   return {-cosh(length), sinh(length)};
 }
 
+/// Of the six edges of a tetrahedron.
+template <class Scalar>
+std::array<EdgeForm<Scalar>, 6> edge_forms(const SixNumbers<Scalar>& lengths, const VertexTypes& types) {
+  std::array<EdgeForm<Scalar>, 6> form;
+  for (int e = 0; e < 6; ++e) {
+    const auto [i, j] = edge_vertex[e];
+    form[e] = edge_form(types[i], types[j], lengths[e]);
+  }
+  return form;
+}
+
 template <class Scalar>
 numeric::Matrix4<Scalar> gram(const std::array<EdgeForm<Scalar>, 6>& form, const VertexTypes& types) {
   numeric::Matrix4<Scalar> m;

@@ -8,17 +8,6 @@
 namespace tetrarch::hyperbolic {
 namespace {
 
-template <class Scalar>
-std::array<kernel::EdgeForm<Scalar>, 6> edge_forms(const SixNumbers<Scalar>& lengths,
-                                                   const VertexTypes& types) {
-  std::array<kernel::EdgeForm<Scalar>, 6> form;
-  for (int e = 0; e < 6; ++e) {
-    const auto [i, j] = edge_vertex[e];
-    form[e] = kernel::edge_form(types[i], types[j], lengths[e]);
-  }
-  return form;
-}
-
 /// G_kk = 1, G_kl = -cos theta_ij: the Gram matrix of the outward face normals.
 template <class Scalar>
 numeric::Matrix4<Scalar> normal_gram_matrix(const SixNumbers<Scalar>& angles) {
@@ -60,7 +49,7 @@ Scalar signed_length(VertexType a, VertexType b, const Scalar& w) {
 
 template <class Scalar>
 numeric::Matrix4<Scalar> gram_matrix(const SixNumbers<Scalar>& lengths, const VertexTypes& types) {
-  return kernel::gram(edge_forms(lengths, types), types);
+  return kernel::gram(kernel::edge_forms(lengths, types), types);
 }
 
 template <class Scalar>
@@ -71,24 +60,24 @@ bool exists(const SixNumbers<Scalar>& lengths, const VertexTypes& types) {
 template <class Scalar>
 std::optional<SixNumbers<Scalar>> dihedral_angles(const SixNumbers<Scalar>& lengths,
                                                   const VertexTypes& types) {
-  const auto form = edge_forms(lengths, types);
+  const auto form = kernel::edge_forms(lengths, types);
   const kernel::Shape<Scalar> shape(kernel::gram(form, types));
   if (!shape.exists) return std::nullopt;
   for (const auto& edge : form)
-    if (edge.g == 0) return std::nullopt; // two truncating planes that touch or cross
+    if (!(edge.g > 0)) return std::nullopt; // two truncating planes that touch or cross
   return kernel::angles(shape, form);
 }
 
 template <class Scalar>
 SixNumbers<Scalar> extended_dihedral_angles(const SixNumbers<Scalar>& lengths, const VertexTypes& types) {
-  const auto form = edge_forms(lengths, types);
+  const auto form = kernel::edge_forms(lengths, types);
   return kernel::angles(kernel::Shape<Scalar>(kernel::gram(form, types)), form);
 }
 
 template <class Scalar>
 std::array<SixNumbers<Scalar>, 6> angle_jacobian(const SixNumbers<Scalar>& lengths,
                                                  const VertexTypes& types) {
-  const auto form = edge_forms(lengths, types);
+  const auto form = kernel::edge_forms(lengths, types);
   const kernel::Shape<Scalar> shape(kernel::gram(form, types));
   if (shape.exists) return kernel::jacobian(shape, form);
   std::array<SixNumbers<Scalar>, 6> zero;
@@ -137,12 +126,16 @@ std::optional<SixNumbers<Scalar>> lengths_from_angles(const SixNumbers<Scalar>& 
 
 #define TETRARCH_INSTANTIATE(Scalar)                                                                         \
   template Scalar inner_product(VertexType, VertexType, const Scalar&);                                      \
-  template Scalar signed_length(VertexType, VertexType, const Scalar&);                                      \
   template numeric::Matrix4<Scalar> gram_matrix(const SixNumbers<Scalar>&, const VertexTypes&);              \
   template bool exists(const SixNumbers<Scalar>&, const VertexTypes&);                                       \
   template std::optional<SixNumbers<Scalar>> dihedral_angles(const SixNumbers<Scalar>&, const VertexTypes&); \
+  template std::array<SixNumbers<Scalar>, 6> angle_jacobian(const SixNumbers<Scalar>&, const VertexTypes&);
+TETRARCH_FOR_EACH_FORMULA(TETRARCH_INSTANTIATE)
+#undef TETRARCH_INSTANTIATE
+
+#define TETRARCH_INSTANTIATE(Scalar)                                                                         \
+  template Scalar signed_length(VertexType, VertexType, const Scalar&);                                      \
   template SixNumbers<Scalar> extended_dihedral_angles(const SixNumbers<Scalar>&, const VertexTypes&);       \
-  template std::array<SixNumbers<Scalar>, 6> angle_jacobian(const SixNumbers<Scalar>&, const VertexTypes&);  \
   template VertexTypes vertex_types_of_angles(const SixNumbers<Scalar>&, const Scalar&);                     \
   template std::optional<SixNumbers<Scalar>> lengths_from_angles(const SixNumbers<Scalar>&,                  \
                                                                  const VertexTypes&);

@@ -104,12 +104,7 @@ std::optional<Estimate<double>> in_60_digits(const SixNumbers<double>& lengths, 
 template <class Scalar>
 std::optional<Estimate<Scalar>> volume(const SixNumbers<Scalar>& lengths, const VertexTypes& types) {
   using std::abs;
-  std::array<kernel::EdgeForm<Scalar>, 6> form;
-  for (int e = 0; e < 6; ++e) {
-    const auto [i, j] = edge_vertex[e];
-    form[e] = kernel::edge_form(types[i], types[j], lengths[e]);
-  }
-  const auto part = volume_part(lengths, types, form);
+  const auto part = volume_part(lengths, types, kernel::edge_forms(lengths, types));
   if (!part) return std::nullopt;
   Scalar error = part->error;
   for (int e = 0; e < 6; ++e) error += abs(lengths[e]) * part->data.rest_error[e] / 2;
@@ -117,6 +112,15 @@ std::optional<Estimate<Scalar>> volume(const SixNumbers<Scalar>& lengths, const 
     if (!(error < largest_error_in_double)) return in_60_digits(lengths, types);
   }
   return Estimate<Scalar>{part->value, error};
+}
+
+/// A ball holds the exact angles, and so whatever the formula makes of them.
+template <>
+std::optional<Estimate<numeric::Ball>> volume(const SixNumbers<numeric::Ball>& lengths,
+                                              const VertexTypes& types) {
+  const auto data = angle_data(kernel::edge_forms(lengths, types), types);
+  if (!data) return std::nullopt;
+  return Estimate<numeric::Ball>{clausen_sum(*data, types).value, numeric::Ball(0)};
 }
 
 #define TETRARCH_INSTANTIATE(Scalar)                                                                         \

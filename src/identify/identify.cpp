@@ -10,7 +10,7 @@
 
 #include <array>
 #include <charconv>
-#include <unordered_map>
+#include <optional>
 #include <utility>
 
 namespace tetrarch::identify {
@@ -23,18 +23,18 @@ struct Known {
   std::optional<catalogue::Manifold> manifold;
 };
 
-/// By isometry signature. Built at the first call, which other threads wait for.
-const std::unordered_map<std::string, Known>& known_manifolds() {
-  static const auto known = [] {
-    std::unordered_map<std::string, Known> all;
-    for (const detail::Famous& f : detail::famous)
-      all.emplace(f.isometry_signature, Known{std::string(f.name), {}});
-    for (const int n : catalogue::stored_tables())
-      for (const catalogue::Manifold& m : catalogue::stored_table(n))
-        all.emplace(m.canonical_signature, Known{m.name.empty() ? m.signature : m.name, m});
-    return all;
-  }();
-  return known;
+/// What has this isometry signature; nothing if no table holds it.
+std::optional<Known> known_manifold(const std::string& isometry_signature,
+                                    const std::vector<catalogue::Manifold>& own_table) {
+  for (const detail::Famous& f : detail::famous)
+    if (f.isometry_signature == isometry_signature) return Known{std::string(f.name), {}};
+  if (auto m = catalogue::find_by_isometry_signature(isometry_signature)) {
+    std::string name = m->name.empty() ? m->signature : m->name;
+    return Known{std::move(name), std::move(m)};
+  }
+  for (const catalogue::Manifold& m : own_table)
+    if (m.canonical_signature == isometry_signature) return Known{m.name.empty() ? m.signature : m.name, m};
+  return std::nullopt;
 }
 
 /// The number of tetrahedra of the last one.
@@ -118,15 +118,15 @@ private:
   }
 
   void look_up(std::string isometry_signature) {
-    const auto entry = known_manifolds().find(isometry_signature);
-    if (entry == known_manifolds().end()) {
+    std::optional<Known> known = known_manifold(isometry_signature, options_.table);
+    if (!known) {
       say("isometry signature " + isometry_signature + " is in no table: volume " +
           volume_text(*out_.volume) + ", tables hold manifolds with geodesic boundary of up to " +
           tetrahedra(largest_table()) + " and " + std::to_string(detail::famous.size()) + " cusped ones");
     } else {
       out_.by = By::isometry_signature;
-      out_.name = entry->second.name;
-      out_.manifold = entry->second.manifold;
+      out_.name = std::move(known->name);
+      out_.manifold = std::move(known->manifold);
       say("isometry signature " + isometry_signature + " is that of " + out_.name);
     }
     if (out_.confirmed_only)

@@ -188,10 +188,7 @@ std::optional<Named> find_named(std::string_view name) {
 }
 
 std::vector<std::string> listed_names() {
-  std::vector<std::string> names;
-  for (const int n : catalogue::stored_tables())
-    for (const catalogue::Manifold& m : catalogue::stored_table(n))
-      if (!m.name.empty()) names.push_back(m.name);
+  std::vector<std::string> names = catalogue::stored_names();
   for (const detail::Famous& f : detail::famous) {
     names.emplace_back(f.name);
     for (const std::string_view alias : f.aliases)

@@ -9,8 +9,4 @@ Real50 pi<Real50>() {
   return value;
 }
 
-void free_thread_cache() {
-  mpfr_free_cache();
-}
-
 } // namespace tetrarch::numeric

@@ -2,14 +2,17 @@
 #include "tetrarch/workshop/canonical.hpp"
 
 #include "tetrarch/algebra/homology.hpp"
+#include "tetrarch/canonical/isometries.hpp"
 #include "tetrarch/core/boundary.hpp"
 #include "tetrarch/core/error.hpp"
 #include "tetrarch/core/signature.hpp"
 #include "tetrarch/format/document.hpp"
 #include "tetrarch/numeric/union_find.hpp"
+#include "tetrarch/verified/structure.hpp"
 #include "tetrarch/workshop/text.hpp"
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <numeric>
 
@@ -44,6 +47,28 @@ hyperbolic::Search search_for(const Triangulation& tri, const CanonicalOptions& 
   return find_structure(tri, search, progress);
 }
 
+/// Tries to prove the cells: first with few bits, then with more where a tilt is in doubt.
+void prove(Canonical& c, const Progress& progress) {
+  const Skeleton skeleton(c.triangulation);
+  const auto structure = hyperbolic::hyperbolize(c.triangulation, skeleton, {}, progress);
+  if (structure.outcome != Outcome::geometric) {
+    c.proof.why_not = "the structure was not found again";
+    return;
+  }
+  for (const int bits : {53, 212}) {
+    const auto certified = verified::certify(c.triangulation, skeleton, structure, {bits, bits}, progress);
+    c.proof = {};
+    c.proof.why_not = "the structure is not certified: " + certified.why_not;
+    if (!certified.proof) continue;
+    const numeric::WorkingPrecision precision(bits);
+    const auto merged = [&](const Table<EdgeId, int>& block, double reach) {
+      return verified::solve_merged(skeleton, block, structure.lengths, reach, progress);
+    };
+    c.proof = canonical::certify_cells(c.triangulation, skeleton, certified.proof->lengths, c.flat, merged);
+    if (c.proof.certified) return;
+  }
+}
+
 Cells cells_in(const hyperbolic::Search& found, const CanonicalOptions& how, const Progress& progress) {
   const auto& structure = found.structure;
   Cells solved;
@@ -60,6 +85,8 @@ Cells cells_in(const hyperbolic::Search& found, const CanonicalOptions& how, con
   if (solved.canonical->outcome != Canonical::Outcome::canonical)
     solved.why_not = "a face stays concave and no move mends it, after " +
                      std::to_string(solved.canonical->restarts) + " changes of the triangulation";
+  else
+    prove(*solved.canonical, progress);
   return solved;
 }
 
@@ -109,7 +136,42 @@ Tree tree_of(const Isomorphism& isometry) {
   return {{"tetrahedra", isometry.tet}, {"vertices", perms}};
 }
 
-constexpr const char* given_triangulations = "triangulations given";
+void name_isometries(Cells& found, bool keep) {
+  std::vector<Isomorphism> group = isometry_group(*found.canonical);
+  found.isometry_group_order = group.size();
+  constexpr std::size_t most_named = 500;
+  if (group.size() <= most_named)
+    found.isometry_group = canonical::name_of_group(canonical::multiplication_table(group));
+  found.amphichiral = canonical::is_amphichiral(found.canonical->canonical_triangulation, group);
+  if (keep) found.isometries = std::move(group);
+}
+
+bool has_isometries(const Cells& c) {
+  return !c.isometries.empty();
+}
+bool is_proved(const Cells& c) {
+  return is_found(c) && c.canonical->proof.certified;
+}
+bool is_not_proved(const Cells& c) {
+  return is_found(c) && !is_proved(c);
+}
+
+/// "yes", "yes, 2 cells by R", or why not.
+std::string proof_text(const canonical::CellsProof& proof) {
+  if (!proof.certified) return "no: " + proof.why_not;
+  std::map<std::string, int> count;
+  for (const canonical::Criterion criterion : proof.criteria)
+    if (criterion != canonical::Criterion::tetrahedron) ++count[to_string(criterion)];
+  std::string text = "yes";
+  for (const auto& [criterion, n] : count) text += ", " + counted(n, "flat cell") + " by " + criterion;
+  return text;
+}
+
+Tree criteria_of(const canonical::CellsProof& proof) {
+  Tree list = Tree::array();
+  for (const canonical::Criterion criterion : proof.criteria) list.push_back(to_string(criterion));
+  return list;
+}
 
 IsometryAnswer told(IsometryAnswer::Verdict verdict, IsometryAnswer::Proof proof, std::string reason) {
   IsometryAnswer answer;
@@ -118,6 +180,28 @@ IsometryAnswer told(IsometryAnswer::Verdict verdict, IsometryAnswer::Proof proof
   answer.reason = std::move(reason);
   return answer;
 }
+
+/// A proved no of volumes, where both structures are certified.
+std::optional<IsometryAnswer> differ_in_volume(const hyperbolic::Search& x, const hyperbolic::Search& y,
+                                               const Progress& progress) {
+  std::array<verified::VolumeInterval, 2> interval;
+  std::array<numeric::Ball, 2> volume;
+  for (int k = 0; k < 2; ++k) {
+    const hyperbolic::Search& search = k == 0 ? x : y;
+    if (search.structure.outcome != Outcome::geometric) return std::nullopt;
+    const auto certified = verified::certify(search.triangulation, Skeleton(search.triangulation),
+                                             search.structure, {}, progress);
+    if (!certified.proof) return std::nullopt;
+    volume[k] = certified.proof->volume;
+    interval[k] = verified::volume_interval(*certified.proof);
+  }
+  if (overlap(volume[0], volume[1])) return std::nullopt;
+  return told(IsometryAnswer::Verdict::not_isometric, IsometryAnswer::Proof::volume,
+              "the volumes differ: one lies in [" + interval[0].low + ", " + interval[0].high +
+                  "], the other in [" + interval[1].low + ", " + interval[1].high + "]");
+}
+
+constexpr const char* given_triangulations = "triangulations given";
 
 /// A proved no of invariants that need no structure.
 std::optional<IsometryAnswer> differ(const Triangulation& x, const Boundary& boundary_x,
@@ -171,16 +255,28 @@ Cells cells(const Triangulation& tri, const CanonicalOptions& options, const Pro
   const Boundary boundary = boundary_of(tri);
   Cells found = cells_in(search_for(tri, options, progress), options, progress);
   found.filled_spheres = boundary.spheres;
-  if (is_found(found)) found.isometry_group_order = isometry_group(*found.canonical).size();
+  if (is_found(found)) name_isometries(found, options.list_isometries);
   return found;
 }
+
+namespace {
+
+std::string group_text(const Cells& found) {
+  std::string text = "order " + std::to_string(found.isometry_group_order);
+  if (!found.isometry_group.empty()) text += ": " + found.isometry_group;
+  if (found.amphichiral) text += *found.amphichiral ? ", amphichiral" : ", chiral";
+  return text;
+}
+
+} // namespace
 
 Rows rows_of(const Cells& found) {
   if (is_not_found(found)) return {{"outcome", "not found"}, {"reason", found.why_not}};
   const Canonical& c = *found.canonical;
   Rows rows{{"cells", cell_summary(c.cells)},
             {"isometry signature", c.isometry_signature},
-            {"isometry group", "order " + std::to_string(found.isometry_group_order)},
+            {"certified", proof_text(c.proof)},
+            {"isometry group", group_text(found)},
             {"tetrahedra", std::to_string(c.triangulation.size())},
             {"smallest tilt", scientific(c.smallest_tilt, 3)},
             {"volume", fixed(found.volume, 12)}};
@@ -207,8 +303,13 @@ Isometry isometry(const Compared& x, const Compared& y, const CanonicalOptions& 
   }
   const hyperbolic::Search search = search_for(x.tri, options, progress);
   if (search.structure.outcome == Outcome::geometric && compare_given(x.tri, y.tri, found)) return found;
+  const hyperbolic::Search other = search_for(y.tri, options, progress);
+  if (auto no = differ_in_volume(search, other, progress)) {
+    found.answer = *std::move(no);
+    return found;
+  }
   const Cells a = cells_in(search, options, progress);
-  const Cells b = cells_in(search_for(y.tri, options, progress), options, progress);
+  const Cells b = cells_in(other, options, progress);
   if (!a.why_not.empty())
     found.answer.reason = x.name + ": " + a.why_not;
   else if (!b.why_not.empty())
@@ -253,6 +354,30 @@ const FieldList<Cells>& fields_of<Cells>() {
       {{"isometry_group_order", "", "number of isometries of the manifold to itself"},
        [](C c) -> Tree { return c.isometry_group_order; },
        is_found},
+      {{"isometry_group", "", "its name, such as Z/2 + Z/2, D4 (of order 8), S4; null: none of those known"},
+       [](C c) { return c.isometry_group.empty() ? Tree() : Tree(c.isometry_group); },
+       is_found},
+      {{"amphichiral", "", "whether an isometry reverses orientation; null: there is no orientation"},
+       [](C c) { return c.amphichiral ? Tree(*c.amphichiral) : Tree(); },
+       is_found},
+      {{"isometries", "",
+        "of each isometry the images of the canonical triangulation's tetrahedra and vertices"},
+       [](C c) {
+         Tree list = Tree::array();
+         for (const Isomorphism& isometry : c.isometries) list.push_back(tree_of(isometry));
+         return list;
+       },
+       has_isometries},
+      {{"certified", "", "whether the cells are proved to be the canonical ones"},
+       [](C c) -> Tree { return is_proved(c); },
+       is_found},
+      {{"why_not_certified", "", "what is in doubt"},
+       [](C c) -> Tree { return c.canonical->proof.why_not; },
+       is_not_proved},
+      {{"criteria", "",
+        "what proves each cell: tetrahedron, or how it is proved flat (R: orbits, F: one line, B: blocks)"},
+       [](C c) { return criteria_of(c.canonical->proof); },
+       is_proved},
       {{"tetrahedra", "", "number of tetrahedra of the subdivided cells"},
        [](C c) -> Tree { return c.canonical->triangulation.size(); },
        is_found},

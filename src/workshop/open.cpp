@@ -5,6 +5,9 @@
 #include "tetrarch/core/check.hpp"
 #include "tetrarch/core/error.hpp"
 #include "tetrarch/core/signature.hpp"
+#include "tetrarch/diagram/exterior.hpp"
+#include "tetrarch/diagram/names.hpp"
+#include "tetrarch/diagram/read.hpp"
 #include "tetrarch/format/mesh_files.hpp"
 #include "tetrarch/format/read.hpp"
 #include "tetrarch/format/signature_text.hpp"
@@ -21,6 +24,7 @@ namespace {
 
 constexpr const char* given_json = "the JSON given";
 constexpr const char* given_group = "the group given";
+constexpr const char* given_diagram = "the code given";
 
 /// What a valid mesh is better known to have, as sentences.
 void add_remarks(const format::Soup& soup, const mesh::Report& report, std::vector<std::string>& warnings) {
@@ -87,21 +91,31 @@ bool is_meant_as_signature(const std::string& argument) {
 format::Document spelled_out(const std::string& argument) {
   if (is_json(argument)) return format::read_any(argument, given_json);
   if (std::optional<format::Document> named = named_manifold(argument)) return std::move(*named);
-  const std::string near = near_names(argument, identify::listed_names());
+  std::string near; // looked for only where it is needed: it takes ten times as long as to read a signature
   std::string why;
   try {
     return format::read_signature_text(argument);
   } catch (const InputError& e) {
+    near = near_names(argument, identify::listed_names());
     if (near.empty() && is_meant_as_signature(argument)) why = std::string("; as a signature: ") + e.what();
   }
   throw InputError(in_quotes(argument) + " is no file, no name of a manifold and no isomorphism signature" +
                    near + why);
 }
 
+/// The exterior of the diagram that the text is, or the triangulation.
+format::Document gluings_of(std::string_view text, const std::string& source, const Progress& progress = {}) {
+  if (!diagram::looks_like_diagram(text)) return format::read_any(text, source);
+  return format::document_of(diagram::exterior(diagram::read_diagram(text, source), {}, progress));
+}
+
 /// The triangulation that stands in the argument, or that it chooses in a file; not a file as a whole.
 format::Document given_document(const std::string& argument, Locate locate) {
   if (const std::optional<FileElement> found = file_element(argument, locate))
     return chosen(read_collection(found->path, locate), found->element, argument);
+  if (diagram::looks_like_diagram(argument)) return gluings_of(argument, given_diagram);
+  if (const std::optional<diagram::Diagram> knot = diagram::named_diagram(argument))
+    return format::document_of(diagram::exterior(*knot), argument);
   return spelled_out(argument);
 }
 
@@ -121,7 +135,7 @@ Content content_of(const std::string& text, const std::string& source) {
   if (is_group(text)) return document_of(algebra::parse_presentation(text, source));
   if (format::looks_like_group_json(text)) return format::read_group_json(text, source);
   if (format::looks_like_mesh_json(text)) return format::read_mesh_json(text, source);
-  return format::read_any(text, source);
+  return gluings_of(text, source);
 }
 
 } // namespace
@@ -159,7 +173,7 @@ format::Document open_triangulation(const std::string& what, const OpenOptions& 
   if (!is_file(what, options.locate)) return given_document(what, options.locate);
   std::string text;
   std::optional<format::MeshDocument> mesh = mesh_in(what, options.locate, text);
-  if (!mesh) return format::read_any(text, format::source_name(what));
+  if (!mesh) return gluings_of(text, format::source_name(what), progress);
   text = std::string();
   return triangulation_of(std::move(mesh->soup), options.doctor, progress);
 }

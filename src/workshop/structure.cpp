@@ -4,6 +4,7 @@
 #include "tetrarch/core/error.hpp"
 #include "tetrarch/core/signature.hpp"
 #include "tetrarch/format/document.hpp"
+#include "tetrarch/verified/certificate.hpp"
 #include "tetrarch/workshop/text.hpp"
 
 #include <array>
@@ -26,6 +27,29 @@ bool is_geometric(const Structure& s) {
 }
 bool is_not_geometric(const Structure& s) {
   return !is_geometric(s);
+}
+
+bool is_certified(const Structure& s) {
+  return s.certified && s.certified->proof;
+}
+bool was_to_be_certified(const Structure& s) {
+  return s.certified.has_value();
+}
+bool is_not_certified(const Structure& s) {
+  return was_to_be_certified(s) && !is_certified(s);
+}
+bool has_digits(const Structure& s) {
+  return is_certified(s) && s.digits > 0;
+}
+
+std::string digits_of_volume(const Structure& s) {
+  const numeric::WorkingPrecision precision(s.certified->proof->bits);
+  return numeric::certain_digits(s.certified->proof->volume, s.digits);
+}
+
+Tree volume_interval(const Structure& s) {
+  const auto [low, high] = verified::volume_interval(*s.certified->proof);
+  return Tree{low, high};
 }
 
 /// An end of the edge lies in a cusp: its length depends on the horosphere there.
@@ -127,21 +151,42 @@ hyperbolic::Search solve(const Triangulation& tri, const StructureOptions& optio
   return found;
 }
 
+void certify(Structure& s, const Progress& progress) {
+  const Triangulation& tri = s.search.triangulation;
+  const auto& structure = s.search.structure;
+  s.certified = s.digits > 0 ? verified::certify_to(s.digits, tri, s.skeleton, structure, progress)
+                             : verified::certify(tri, s.skeleton, structure, {}, progress);
+  if (is_certified(s)) s.certificate = verified::certificate(tri, s.skeleton, *s.certified->proof);
+}
+
+void add_certified(const Structure& s, Rows& rows) {
+  if (is_not_certified(s)) rows.emplace_back("certified", "no: " + s.certified->why_not);
+  if (!is_certified(s)) return;
+  const auto [low, high] = verified::volume_interval(*s.certified->proof);
+  rows.emplace_back("certified", "yes, with " + std::to_string(s.certified->proof->bits) + " bits");
+  rows.emplace_back("volume in", "[" + low + ", " + high + "]");
+  rows.emplace_back("certificate", "sha256 " + verified::digest(s.certificate));
+}
+
 } // namespace
 
 Verdict Structure::verdict() const {
   const Outcome outcome = search.structure.outcome;
-  if (outcome == Outcome::geometric) return Verdict::yes;
+  if (outcome == Outcome::geometric) return is_not_certified(*this) ? Verdict::undecided : Verdict::yes;
   return outcome == Outcome::projective_plane ? Verdict::proved_no : Verdict::undecided;
 }
 
 Structure structure(const Triangulation& tri, const StructureOptions& options, const Progress& progress) {
   hyperbolic::Search search = solve(tri, options, progress);
   Skeleton skeleton(search.triangulation);
-  Structure found{std::move(search), std::move(skeleton), {}};
-  if (is_geometric(found))
-    found.cusps =
-        hyperbolic::cusps(found.search.triangulation, found.skeleton, found.search.structure.lengths);
+  Structure found{std::move(search), std::move(skeleton), {}, {}, {}, options.digits};
+  const bool certifies = options.certify || options.digits > 0;
+  if (!is_geometric(found)) {
+    if (certifies) found.certified = verified::Certification{std::nullopt, "no structure was found"};
+    return found;
+  }
+  found.cusps = hyperbolic::cusps(found.search.triangulation, found.skeleton, found.search.structure.lengths);
+  if (certifies) certify(found, progress);
   return found;
 }
 
@@ -151,7 +196,8 @@ Rows rows_of(const Structure& s) {
   if (is_geometric(s)) {
     rows = {{"outcome", hyperbolic::describe(s.search)},
             {"signature", signature(s.search.triangulation)},
-            {"volume", fixed(found.volume, 12)}};
+            {"volume", has_digits(s) ? digits_of_volume(s) : fixed(found.volume, 12)}};
+    add_certified(s, rows);
     if (!(found.volume_error < last_digit_of_volume))
       rows.emplace_back("error", "volume right to within " + scientific(found.volume_error, 1));
     rows.emplace_back("residual", scientific(found.residual, 1));
@@ -211,6 +257,24 @@ const FieldList<Structure>& fields_of<Structure>() {
        [](S s) { return is_geometric(s) ? Tree(s.search.structure.volume) : Tree(); }},
       {{"volume_error", "curvature -1", "a bound of its error, given that the structure exists"},
        error_of_volume},
+      {{"certified", "", "whether the structure is proved to exist"},
+       [](S s) -> Tree { return is_certified(s); },
+       was_to_be_certified},
+      {{"why_not_certified", "", "what failed; no proof that there is no structure"},
+       [](S s) -> Tree { return s.certified->why_not; },
+       is_not_certified},
+      {{"bits", "", "binary digits that it was proved with"},
+       [](S s) -> Tree { return s.certified->proof->bits; },
+       is_certified},
+      {{"volume_interval", "curvature -1", "two decimal numbers, as texts, between which the volume lies"},
+       volume_interval,
+       is_certified},
+      {{"volume_digits", "curvature -1", "the volume to the digits asked for, as a text"},
+       [](S s) -> Tree { return digits_of_volume(s); },
+       has_digits},
+      {{"certificate", "", "SHA-256 of the file that proves it"},
+       [](S s) -> Tree { return verified::digest(s.certificate); },
+       is_certified},
       {{"signature", "", "isomorphism signature of the triangulation that carries the structure"},
        [](S s) -> Tree { return signature(s.search.triangulation); }},
       {{"changed", "", "whether that is another triangulation than the given one"},

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "tetrarch/canonical/canonize.hpp"
 
+#include "proved.hpp"
+
 #include "tetrarch/canonical/decorated.hpp"
 #include "tetrarch/core/error.hpp"
 #include "tetrarch/core/signature.hpp"
@@ -227,11 +229,12 @@ TEST_CASE("coning without flat faces makes twelve tetrahedra of each", "[canonic
   CHECK(spheres == 6);
 }
 
-TEST_CASE("isometry is decided both ways, and only a no is left open where a face is flat", "[canonical]") {
+TEST_CASE("isometry is decided both ways, and only a no is left open where cells are not proved",
+          "[canonical]") {
   using Proof = IsometryAnswer::Proof;
   using Verdict = IsometryAnswer::Verdict;
-  const Canonical y = canonized("cPcbbbihq");
-  const Canonical other = canonized("cMcabbjdw");
+  const Canonical y = support::proved(canonized("cPcbbbihq"));
+  const Canonical other = support::proved(canonized("cMcabbjdw"));
   const Canonical octahedron = canonized("eLAkbccddemoen");
   const IsometryAnswer same = compare(y, y);
   REQUIRE(same.verdict == Verdict::isometric);
@@ -252,8 +255,10 @@ TEST_CASE("isometry is decided both ways, and only a no is left open where a fac
     CHECK(relabelled(octahedron.canonical_triangulation, flat.isometry) == again.canonical_triangulation);
     ++solved;
   }
+  // A no needs both proofs.
   CHECK(compare(y, octahedron).verdict == Verdict::undecided);
   CHECK(compare(y, octahedron).proof == Proof::none);
+  CHECK(compare(y, support::proved(octahedron)).verdict == Verdict::not_isometric);
 }
 
 TEST_CASE("only a solved structure is canonised", "[canonical]") {

@@ -10,6 +10,7 @@
 #include <catch2/catch.hpp>
 #include <fstream>
 #include <map>
+#include <mutex>
 #include <set>
 
 using namespace tetrarch;
@@ -44,6 +45,56 @@ TEST_CASE("the classification gives the stored bytes again, with one thread and 
   for (const int n : {2, 3})
     for (const int threads : {1, 2})
       CHECK(write_table(n, classify_manifolds(n, threads).manifolds) == stored_table_text(n));
+}
+
+TEST_CASE("units that were kept, shared out and put together make the same table", "[census]") {
+  std::map<std::string, std::string> kept;
+  std::mutex mutex;
+  WorkOptions how;
+  how.records.find = [&](const std::string& key) {
+    const std::lock_guard lock(mutex);
+    const auto found = kept.find(key);
+    return found == kept.end() ? nullptr : &found->second;
+  };
+  how.records.keep = [&](const std::string& key, const std::string& text) {
+    const std::lock_guard lock(mutex);
+    kept[key] = text;
+  };
+  how.share = Share{1, 2};
+  CHECK(classify_manifolds(3, how).missing_units ==
+        3); // units 0 and 2 of 170 gluings, the one of two tetrahedra
+  const std::size_t half = kept.size();
+  REQUIRE(half > 0);
+  how.share.reset();
+  CHECK(classify_manifolds(3, how).manifolds.empty());
+  how.share = Share{};
+  CHECK(write_table(3, classify_manifolds(3, how).manifolds) == stored_table_text(3));
+  CHECK(kept.size() > half);
+  how.share.reset(); // nothing is computed any more
+  CHECK(write_table(3, classify_manifolds(3, how).manifolds) == stored_table_text(3));
+
+  SECTION("a unit of other gluings does not count") {
+    kept["3.0"] = kept["3.1"];
+    CHECK(classify_manifolds(3, how).missing_units == 1);
+    kept["3.0"] = "[]";
+    CHECK(classify_manifolds(3, how).missing_units == 1);
+    kept["3.0"] = "no JSON";
+    CHECK(classify_manifolds(3, how).missing_units == 1);
+  }
+}
+
+TEST_CASE("what is looked up is what the table holds", "[census]") {
+  CHECK(stored_names().size() == 8 + 151 + 5033);
+  for (const int n : {2, 3})
+    for (const Manifold& m : stored_table(n)) {
+      REQUIRE(find_by_name(m.name) == m);
+      REQUIRE(find_by_isometry_signature(m.canonical_signature) == m);
+    }
+  CHECK(find_by_name("fmp4_5033")->symmetries == stored_table(4).back().symmetries);
+  for (const char* name : {"fmp4_5034", "fmp4_0", "fmp4_", "fmp4_1\"", "fmp5_1", ""})
+    CHECK_FALSE(find_by_name(name));
+  CHECK_FALSE(find_by_isometry_signature(""));
+  CHECK_FALSE(find_by_isometry_signature("eLAkbcbdddhjh"));
 }
 
 TEST_CASE("one tetrahedron makes no manifold with geodesic boundary", "[census]") {

@@ -25,7 +25,7 @@ except ImportError:
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 FROZEN = ROOT / "tests/data/frozen/1"
-KINDS = ("triangulation", "mesh", "group", "census")
+KINDS = ("triangulation", "mesh", "group", "census", "certificate")
 
 
 def validators():
@@ -88,6 +88,11 @@ BAD = {
         (["manifolds", 0, "volume"], 6.45), (["manifolds", 0, "boundary"], []), (["manifolds", 0, "boundary"], [1]),
         (["manifolds", 0, "dihedral_angles", 0], ["0.5"]), (["manifolds", 0, "signature"], ...),
     ],
+    ROOT / "tests/data/knotted_y.cert.json": [
+        (["format"], "other"), (["version"], 2), (["gluings", 0, 0], None), (["gluings", 0, 0], [1, "0122"]),
+        (["radius"], "1e-10"), (["radius"], 1e-10), (["bits"], 0), (["edges", 0, "length"], "0.596"), (["claims"], ...),
+        (["edges", 0, "fixed"], 0), (["edges", 0, "edge"], 6), (["claims", "volume"], ["6.45"]), (["proof"], True),
+    ],
 }
 
 FRUSTUM, BOX = str(FROZEN / "frustum.json"), str(FROZEN / "box.json")
@@ -135,6 +140,7 @@ def main():
 
     files = options.files or [*sorted((ROOT / "tests/data/format/good").glob("*.json")),
                               *sorted((ROOT / "tests/data/frozen").glob("*/*.json")),
+                              *sorted((ROOT / "tests/data").glob("*.cert.json")),
                               *sorted((ROOT / "census").glob("*.json"))]
     for file in files:
         check(file, file)

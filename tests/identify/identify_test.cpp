@@ -155,7 +155,7 @@ TEST_CASE("why there is no name is said", "[identify]") {
   CHECK(unnamed.volume.value_or(0) == Approx(3.177293279).epsilon(1e-9));
   CHECK(told(unnamed).find("isometry signature " + unnamed.isometry_signature + " is in no table") !=
         std::string::npos);
-  CHECK(told(unnamed).find("up to 3 tetrahedra") != std::string::npos);
+  CHECK(told(unnamed).find("up to 4 tetrahedra") != std::string::npos);
 }
 
 TEST_CASE("identification does not depend on the thread, only on the manifold", "[identify]") {

@@ -43,6 +43,8 @@ def setUpModule():
     run(CPACK, "-G", "DEB", "-B", WORK, cwd=BUILD)
     global PROGRAM, LIBRARY
     PROGRAM, LIBRARY = Package("tetrarch"), Package("libtetrarch-dev")
+    global PYTHON
+    PYTHON = Package("python3-tetrarch") if list(WORK.glob("python3-tetrarch_*.deb")) else None
 
 
 def tearDownModule():
@@ -87,11 +89,21 @@ class Contents(unittest.TestCase):
         self.assertEqual(files[0] & files[1], set())
 
     def test_everything_is_root_s_and_everybody_can_read_it(self):
-        for package in (PROGRAM, LIBRARY):
+        for package in filter(None, (PROGRAM, LIBRARY, PYTHON)):
             for path, (mode, owner) in package.modes.items():
                 self.assertEqual(owner, "root/root", path)
                 executable = mode[0] == "d" or path == "/usr/bin/tetrarch"
                 self.assertEqual(mode[1:], "rwxr-xr-x" if executable else "rw-r--r--", path)
+
+    def test_the_python_package_runs(self):
+        if PYTHON is None:
+            self.skipTest("it was not built")
+        self.assertTrue({"python3", "python3-numpy", "libc6"} <= PYTHON.needs(), PYTHON.needs())
+        packages = PYTHON.root / "usr/lib/python3/dist-packages"
+        self.assertTrue((packages / "tetrarch" / "py.typed").exists())
+        code = "import tetrarch as tt; print(tt.Manifold('cPcbbbihq').volume(), len(tt.Mesh.read('samples/torus.off').points) > 0)"
+        said = run("/usr/bin/python3", "-c", code, env={"PYTHONPATH": str(packages)}, cwd="/")
+        self.assertRegex(said, r"^6\.45199027083.* True$")
 
     def test_the_program_runs(self):
         # Yin, section 4.2.3: two tetrahedra, a boundary of genus 2.

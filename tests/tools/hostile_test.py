@@ -9,6 +9,7 @@ import struct
 import subprocess
 import tempfile
 import time
+import unittest
 
 from running import PROGRAM, InFolder, run, run_json
 
@@ -243,6 +244,20 @@ class Bounds(Refusals):
             self.assertEqual((done.returncode, done.stderr.count("\n")), (2, 1), generators)
             self.assertIn("generators", done.stderr)
             self.assertLess(work, 2)
+
+    @unittest.skipIf((os.cpu_count() or 1) > 4, "each processor adds a buffer of OpenBLAS to what is allowed")
+    def test_memory_has_an_end(self):
+        big = self.path("rings.sig", "cPcbbbihq\n" * 400_000)
+        complaint = self.refused("info", big + "#1", "--memory", "0.01")
+        self.assertIn("out of memory", complaint)
+        self.assertIn("0.0 GB allowed (--memory)", complaint)
+        self.assertEqual(run("info", "cPcbbbihq", "--memory", "0.01").returncode, 0)
+
+    def test_a_small_address_space(self):
+        for kilobytes in (150_000, 200_000, 400_000):  # OpenBLAS's threads would wait for their buffers for ever
+            done = subprocess.run(f"ulimit -v {kilobytes}; exec '{PROGRAM}' info cPcbbbihq", shell=True, capture_output=True,
+                                  text=True, timeout=20)
+            self.assertEqual((done.returncode, done.stderr), (0, ""), kilobytes)
 
 
 class Growth(InFolder):

@@ -200,6 +200,21 @@ class Structures(Options):
         self.assertNotEqual(pictures[0], pictures[2])
         self.assertNotEqual(pictures[1], pictures[3])
 
+    def test_flips_are_not_passed_over(self):
+        # A square with a hole; one of its triangles is split by a point 1e-12 from its long side.
+        points = [(x, y, 0) for y in range(7) for x in range(7)] + [(4.5 + 1e-12, 4.5 - 1e-12, 0)]
+        faces = [face for y in range(6) for x in range(6) if (x, y) != (2, 2)
+                 for a in [7 * y + x] for face in ((a, a + 1, a + 8), (a, a + 8, a + 7))]
+        a, b, c = corners = (32, 33, 40)
+        faces.remove(corners)
+        faces += [(a, b, 49), (b, c, 49), (c, a, 49)]
+        text = f"OFF\n{len(points)} {len(faces)} 0\n" + "".join("%.17g %.17g %.17g\n" % p for p in points)
+        path = self.path("needle.off", text + "".join("3 %d %d %d\n" % f for f in faces))
+        status, made = run_json("slit", path)
+        self.assertEqual((status, made["flipped"]), (4, 1))
+        status, made = run_json("slit", path, "--allow-flips")
+        self.assertEqual((status, made["flipped"]), (0, 1))
+
     def test_memory(self):
         self.assertEqual(run("embed", "cPcbbbihq", "--copies", "1000", "--memory", "0.0001").returncode, 2)
         self.assertEqual(run("embed", "cPcbbbihq", "--copies", "1000", "--memory", "1").returncode, 0)

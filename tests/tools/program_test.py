@@ -4,6 +4,7 @@
 
 Usage: program_test.py PROGRAM SOURCE_DIR
 """
+import hashlib
 import json
 import math
 import os
@@ -14,7 +15,9 @@ import sys
 import tempfile
 import time
 import unittest
+from fractions import Fraction
 
+from diagrams_test import *  # noqa: F401,F403: knots, links and graphs in space
 from hex_test import *  # noqa: F401,F403: hexahedra of solids
 from hostile_test import *  # noqa: F401,F403: files and surroundings that mean no good
 from inputs_test import *  # noqa: F401,F403: what stands for a triangulation
@@ -124,7 +127,74 @@ class Hyperbolize(unittest.TestCase):
                 self.assertAlmostEqual(json.load(f)["metric"]["volume"], 6.451990270835, delta=1e-11)
 
 
+class Proofs(InFolder):
+    def certificate(self, name, *options):
+        path = self.path("x.cert.json")
+        status, found = run_json("hyperbolize", name, "-o", path, *options)
+        self.assertEqual((status, found["certified"]), (0, True))
+        return path, found
+
+    def test_a_structure_is_certified_and_verified(self):
+        # 30 digits of the tables (census/fmp2.json); the figure eight knot's volume is OEIS A091518.
+        for name, volume in (("fmp2_8", "6.45199027083503286529820913559"),
+                             ("m004", "2.02988321281930725004240510854")):
+            path, found = self.certificate(name, "--certify")
+            low, high = map(Fraction, found["volume_interval"])
+            self.assertTrue(low <= Fraction(volume) + Fraction(1, 10**28) and Fraction(volume) <= high)
+            self.assertLess(high - low, Fraction(1, 10**15))
+            with open(path, "rb") as file:
+                self.assertEqual(found["certificate"], hashlib.sha256(file.read()).hexdigest())
+            status, report = run_json("verify", path)
+            self.assertEqual((status, report["accepted"]), (0, True))
+            self.assertEqual(report["volume_interval"], found["volume_interval"])
+        self.assertNotIn("certified", run_json("hyperbolize", "fmp2_8")[1])
+
+    def test_digits(self):
+        # 2 Cl(pi/3) by mpmath, whose first digits are OEIS A091518.
+        path, found = self.certificate("m004", "--digits", "100")
+        self.assertEqual(found["volume_digits"], "2.0298832128193072500424051085490405718833786150605995840349"
+                                                 "78213553194952516488044272940708456513390")
+        self.assertEqual(run("verify", path).returncode, 0)
+
+    def test_what_is_damaged_is_refused(self):
+        path, _ = self.certificate("fmp3_17")
+        with open(path) as file:
+            text = file.read()
+        status, report = run_json("verify", self.path("links.cert.json", text.replace("[-2]", "[-4]")))
+        self.assertEqual((status, report["accepted"]), (1, False))
+        self.assertIn("links", report["reason"])
+        self.assertEqual(run("verify", self.path("half.cert.json", text[:300])).returncode, 2)
+        self.assertEqual(run("verify", self.path("none.cert.json", "")).returncode, 2)
+        self.assertEqual(run("verify", self.path("no.cert.json")).returncode, 2)
+        self.assertEqual(run("verify", f"{SOURCE}/tests/data/knotted_y.json").returncode, 2)
+
+    def test_what_has_no_structure_is_not_certified(self):
+        path = self.path("none.cert.json")
+        status, found = run_json("hyperbolize", "dLQacccjcog", "--as-given", "--certify", "-o", path)
+        self.assertEqual((status, found["outcome"]), (4, "not found"))
+        self.assertEqual(found["certified"], False)
+        self.assertFalse(os.path.exists(path))
+
+
 class Canonize(unittest.TestCase):
+    def test_cells_are_proved(self):
+        status, answer = run_json("canonize", "fmp3_1")
+        self.assertEqual((status, answer["certified"], answer["criteria"]), (0, True, ["tetrahedron"] * 3))
+        status, answer = run_json("canonize", "eLAkbccddemoen", "--isometries")
+        self.assertEqual((status, answer["certified"], answer["criteria"]), (0, True, ["R"]))
+        self.assertEqual((answer["isometry_group"], answer["amphichiral"]), ("D3", False))
+        self.assertEqual(len(answer["isometries"]), answer["isometry_group_order"])
+        # The figure eight knot: Henry and Weeks 1992.
+        answer = run_json("canonize", "m004")[1]
+        self.assertEqual((answer["isometry_group"], answer["amphichiral"]), ("D4", True))
+
+    def test_proofs_that_manifolds_differ(self):
+        # Volumes by the census; the two of fmp3_1 and fmp3_2 are equal, and so are boundary and homology.
+        for x, y, proof in (("fmp3_1", "fmp3_10", "volume"), ("fmp3_1", "fmp3_2", "cells"),
+                            ("fmp3_1", "fmp3_100", "boundary")):
+            status, answer = run_json("isometric", x, y)
+            self.assertEqual((status, answer["isometric"], answer["proof"]), (1, False, proof))
+
     def test_boundary_spheres_count(self):
         # The first is the second with a ball taken out (Regina: boundary components of Euler characteristic -2,
         # ideal, and 2, of two faces).
@@ -219,7 +289,89 @@ class Census(unittest.TestCase):
         self.assertEqual(len(run_json("census", "list")[1]["manifolds"]), 151)
 
 
+
+# Five tetrahedra round one edge: census gluings --tetrahedra 5 --orientable --links 5 --min-valence 30, the first.
+FIVE = "fLAMcabcdeejjbdds"
+
+
 class Identify(unittest.TestCase):
+    def test_manifolds_are_chosen_by_what_they_are(self):
+        # Frigerio, Martelli, Petronio 2004, tables of the compact manifolds and of those with cusps.
+        for tetrahedra, options, count in ((4, ("--boundary", "4"), 2340), (4, ("--boundary", "3", "--cusps", "0"), 2034),
+                                           (4, ("--boundary", "2", "--cusps", "0"), 628), (4, ("--cusps", "1"), 30),
+                                           (4, ("--cusps", "2"), 1), (4, (), 5033), (2, (), 8), (3, ("--boundary", "3"), 74),
+                                           (3, ("--volume", "10.42..10.43"), 74), (3, ("--volume", "..9"), 77),
+                                           (3, ("--volume", "9.."), 74), (2, ("--homology", "Z^2"), 8),
+                                           (2, ("--homology", "Z^2+Z/3"), 0), (4, ("--boundary", "2,2"), 0)):
+            status, found = run_json("census", "list", "--tetrahedra", str(tetrahedra), "--count", *options)
+            self.assertEqual((status, found["count"]), (0, count), options)
+            every = run_json("census", "list", "--tetrahedra", str(tetrahedra), *options)[1]
+            self.assertEqual((every["count"], len(every["manifolds"])), (count, count))
+        for options in (("--volume", "9"), ("--volume", ".."), ("--volume", "a..b"), ("--boundary", "1"), ("--boundary", "x"),
+                        ("--boundary", "2,"), ("--cusps", "-1")):
+            self.assertEqual(run("census", "list", *options).returncode, 2, options)
+        self.assertEqual(run_json("census", "identify", "eLAkbcbdddhjhk")[1]["name"], "fmp4_1")
+
+    def test_ones_own_table(self):
+        with tempfile.TemporaryDirectory() as folder:
+            table = os.path.join(folder, "own.json")
+            with open(f"{SOURCE}/census/fmp3.json", encoding="utf-8") as file:
+                text = json.load(file)
+            # A manifold of five tetrahedra that no table holds (Frigerio, Martelli, Petronio stop at four).
+            found = run_json("census", "identify", FIVE)[1]
+            self.assertIsNone(found["name"])
+            entry = {**text["manifolds"][0], "name": "mine", "signature": found["signature"],
+                     "canonical_signature": found["isometry_signature"]}
+            del entry["dihedral_angles"]
+            with open(table, "w", encoding="utf-8") as file:
+                json.dump({**text, "tetrahedra": 5, "manifolds": [entry]}, file)
+            self.assertEqual(run_json("census", "identify", FIVE, "--table", table)[1]["name"], "mine")
+            with open(table, "a", encoding="utf-8") as file:
+                file.write("more")
+            self.assertEqual(run("census", "identify", FIVE, "--table", table).returncode, 2)
+
+    def test_a_census_that_is_killed_goes_on(self):
+        with tempfile.TemporaryDirectory() as folder:
+            def enumerate_in(work, *more):
+                return (PROGRAM, "census", "enumerate", "--tetrahedra", "3", "--work", os.path.join(folder, work), *more)
+
+            def count(work):
+                with open(os.path.join(folder, work, "records"), "rb") as file:
+                    return file.read().count(b"\n")
+
+            table = os.path.join(folder, "table.json")
+            killed = 0
+            for delay in [0.02 * k for k in range(1, 40)]:
+                job = subprocess.Popen([*enumerate_in("a", "--resume"), "-o", table], stderr=subprocess.DEVNULL,
+                                       stdout=subprocess.DEVNULL)
+                try:
+                    job.wait(delay)
+                    break
+                except subprocess.TimeoutExpired:
+                    job.kill()
+                    job.wait()
+                    killed += 1
+            self.assertGreater(killed, 0)
+            with open(table, "rb") as new, open(f"{SOURCE}/census/fmp3.json", "rb") as old:
+                expected = old.read()
+                self.assertEqual(new.read(), expected)
+            done = count("a")
+            self.assertEqual(run(*enumerate_in("a", "--resume")[1:]).returncode, 0)
+            self.assertEqual(count("a"), done)  # nothing was done twice
+            self.assertIn("holds records already", run(*enumerate_in("a")[1:]).stderr)
+            for k in (1, 2, 3):
+                self.assertEqual(run(*enumerate_in(f"s{k}", "--shard", f"{k}/3")[1:]).returncode, 0)
+            folders = [os.path.join(folder, f"s{k}") for k in (3, 1, 2)]
+            self.assertEqual(run("census", "merge", *folders, "--tetrahedra", "3", "-o", table).returncode, 0)
+            with open(table, "rb") as new:
+                self.assertEqual(new.read(), expected)
+            self.assertIn("missing from these folders", run("census", "merge", *folders[1:], "--tetrahedra", "3").stderr)
+            brief = run("census", "enumerate", "--tetrahedra", "2", "--brief").stdout
+            self.assertNotIn("angles", brief)
+            for bad in (("--shard", "0/3", "--work", folder), ("--shard", "4/3", "--work", folder), ("--shard", "1", "--work", folder),
+                        ("--shard", "1/2"), ("--resume",), ("--work", table), ("--work", "/proc/none")):
+                self.assertEqual(run("census", "enumerate", "--tetrahedra", "2", *bad).returncode, 2, bad)
+
     def test_a_census_manifold_comes_back_from_a_mesh(self):
         with tempfile.TemporaryDirectory() as folder:
             path = os.path.join(folder, "large.json")

@@ -7,6 +7,7 @@
 #include "tetrarch/workshop/identify.hpp"
 #include "tetrarch/workshop/info.hpp"
 #include "tetrarch/workshop/structure.hpp"
+#include "tetrarch/workshop/verify.hpp"
 
 #include <catch2/catch.hpp>
 #include <set>
@@ -40,9 +41,13 @@ TEST_CASE("every result lists its fields once", "[workshop]") {
     const Triangulation tri = from_signature(name);
     check_list(info(tri));
     check_list(structure(tri));
+    StructureOptions certified;
+    certified.certify = true;
+    check_list(structure(tri, certified));
     check_list(cells(tri));
     check_list(isometry({tri, "x"}, {tri, "x"}));
     check_list(identify::identify(tri));
+    check_list(checker::Report());
   }
 }
 

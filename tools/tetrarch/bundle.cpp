@@ -42,7 +42,6 @@ struct Options {
   std::vector<double> field; ///< a constant vector to be projected; none: random directions
   PlanOptions plan;
   std::optional<int> twist;
-  double memory = 4;
   Doctor doctor;
 };
 
@@ -248,17 +247,17 @@ void add_outputs(Result& result, const Plan& plan, const bundle::CircleBundle& b
   }
 }
 
-void require_room(const PlanOptions& wanted, double triangles, const Options& options) {
+void require_room(const PlanOptions& wanted, double triangles, const Context& context) {
   require_memory("--fiber " + std::to_string(wanted.fiber),
-                 bundle::bundle_bytes(3.0 * wanted.fiber * triangles), options.memory);
+                 bundle::bundle_bytes(3.0 * wanted.fiber * triangles), allowed_gigabytes(context));
 }
 
 /// Before anything is computed: a twisted edge has two sides, a triangle three.
 void require_room(const PlanOptions& wanted, const SurfaceInput& surface, const SurfaceType& type,
-                  const Options& options) {
+                  const Context& context) {
   const int euler = wanted.euler.value_or(type.is_closed() ? type.euler : 0);
   const double twisted = 2.0 * std::abs(euler) * wanted.fiber / 3;
-  require_room(wanted, std::max<double>(surface.mesh.surface.triangle_count(), twisted), options);
+  require_room(wanted, std::max<double>(surface.mesh.surface.triangle_count(), twisted), context);
 }
 
 /// A bundle that is proved to be what was planned; a failure here is ours.
@@ -313,13 +312,13 @@ Result run_bundle(const Options& options, const Context& context) {
   const SurfaceInput surface = read_surface(options.input, context, options.doctor);
   const PlanOptions wanted = plan_options(options, surface);
   const SurfaceType type = mesh::type_of(surface.mesh.surface);
-  require_room(wanted, surface, type, options);
+  require_room(wanted, surface, type, context);
   const auto planned =
       bundle::plan(mesh::MarkedSurface(surface.mesh.surface, surface.mesh.points), wanted, context.progress);
   if (const auto* found = std::get_if<bundle::Obstruction>(&planned))
     return obstructed(*found, surface, options);
   const Plan& plan = std::get<Plan>(planned);
-  require_room(wanted, plan.cut.surface.triangle_count(), options);
+  require_room(wanted, plan.cut.surface.triangle_count(), context);
   const ProvedBundle made = make(plan, context);
 
   constexpr int small = 2'000; // tetrahedra; beyond, nobody reads a signature or a group
@@ -385,7 +384,6 @@ Run declare_bundle(OptionTable& table) {
       .takes(3);
   table.add("--obstruction", o->obstruction, "write the part of a disk that has no solution to this file")
       .value_name("FILE");
-  table.add("--memory", o->memory, "greatest memory to use, in gigabytes").with_default();
   declare_doctor(table, o->doctor);
   return [o](const Context& context) { return run_bundle(*o, context); };
 }

@@ -11,19 +11,28 @@
 namespace tetrarch::program {
 namespace {
 
-Result canonize(const std::string& input, const std::string& output, int attempts, const Context& context) {
+struct Options {
+  std::string input;
+  std::string output;
+  workshop::CanonicalOptions how;
+};
+
+Result canonize(const Options& options, const Context& context) {
+  const std::string& input = options.input;
+  const std::string& output = options.output;
+  workshop::CanonicalOptions how = options.how;
+  how.seed = context.seed;
   const format::Document document = read_triangulation(input, context);
   require_manifold(document.triangulation, input);
-  const workshop::Cells found =
-      workshop::cells(document.triangulation, {attempts, context.seed}, context.progress);
+  const workshop::Cells found = workshop::cells(document.triangulation, how, context.progress);
   Result result;
   result.warnings = document.warnings;
   result.status = status_of(found.verdict());
   result.json = tree_of(found);
   result.text = block(rows_of(found));
   if (found.verdict() != workshop::Verdict::yes) return result;
-  if (found.canonical->has_flat_faces)
-    result.warnings.emplace_back("some faces are flat to 30 digits, which is evidence and no proof");
+  if (!found.canonical->proof.certified)
+    result.warnings.push_back("the cells are not proved: " + found.canonical->proof.why_not);
   format::Document cells = document_of(found);
   if (!output.empty()) result.files.push_back({output, write_json(cells)});
   result.value = std::make_shared<Value>(std::move(cells));
@@ -51,18 +60,15 @@ Result isometric(const std::string& x, const std::string& y, const Context& cont
 } // namespace
 
 Run declare_canonize(OptionTable& table) {
-  const auto input = std::make_shared<std::string>();
-  const auto output = std::make_shared<std::string>();
-  const auto attempts = std::make_shared<int>(workshop::CanonicalOptions{}.attempts);
-  table.add("X", *input, "a triangulation that carries a hyperbolic structure").required();
-  table.add("-o,--output", *output, "write the canonical triangulation with its cells as JSON")
+  const auto options = std::make_shared<Options>();
+  table.add("X", options->input, "a triangulation that carries a hyperbolic structure").required();
+  table.add("-o,--output", options->output, "write the canonical triangulation with its cells as JSON")
       .value_name("FILE");
-  table.add("--attempts", *attempts, "greatest number of triangulations to try")
+  table.add("--isometries", options->how.list_isometries, "list all isometries (in JSON)");
+  table.add("--attempts", options->how.attempts, "greatest number of triangulations to try")
       .in_range(1, 10'000'000)
       .with_default();
-  return [input, output, attempts](const Context& context) {
-    return canonize(*input, *output, *attempts, context);
-  };
+  return [options](const Context& context) { return canonize(*options, context); };
 }
 
 Run declare_isometric(OptionTable& table) {

@@ -1,15 +1,23 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "command.hpp"
+#include "samples.hpp"
 #include "text.hpp"
 
 #include "tetrarch/catalogue/validate.hpp"
 #include "tetrarch/core/error.hpp"
 #include "tetrarch/core/signature.hpp"
 #include "tetrarch/enumeration/gluings.hpp"
+#include "tetrarch/format/records.hpp"
 #include "tetrarch/format/text.hpp"
 
+#include <algorithm>
 #include <chrono>
+#include <filesystem>
+#include <functional>
+#include <limits>
 #include <memory>
+#include <optional>
+#include <system_error>
 
 namespace tetrarch::program {
 namespace {
@@ -99,6 +107,118 @@ void add_tetrahedra(OptionTable& table, int& tetrahedra, bool required) {
     option.with_default();
 }
 
+/// "2/4": the second of four.
+catalogue::Share share_in(const std::string& text) {
+  constexpr int most_shares = 1'000'000;
+  const std::size_t slash = text.find('/');
+  if (slash != std::string::npos) {
+    const auto index = format::parse_integer(std::string_view(text).substr(0, slash));
+    const auto count = format::parse_integer(std::string_view(text).substr(slash + 1));
+    if (index && count && *index >= 1 && *index <= *count && *count <= most_shares)
+      return {static_cast<int>(*index) - 1, static_cast<int>(*count)};
+  }
+  throw InputError("--shard " + in_quotes(text) + ": expected I/K with I from 1 to K, such as 1/4");
+}
+
+/// The records of a folder, which is made if it is to be written to; or the file of the records itself.
+std::unique_ptr<format::Records> open_work(const std::string& folder, int tetrahedra,
+                                           format::Records::Open how) {
+  std::error_code error;
+  const std::string heading = "classification of " + std::to_string(tetrahedra) + " tetrahedra";
+  if (how == format::Records::Open::read && std::filesystem::is_regular_file(folder, error))
+    return std::make_unique<format::Records>(folder, heading, how);
+  error.clear();
+  if (how != format::Records::Open::read) std::filesystem::create_directories(folder, error);
+  if (error) throw InputError({folder, 0}, "this folder cannot be made: " + error.message());
+  return std::make_unique<format::Records>((std::filesystem::path(folder) / "records").string(), heading,
+                                           how);
+}
+
+/// The manifolds, a line each or as a table in a file; and what is left open.
+Result classification_result(const catalogue::Classification& found, int tetrahedra,
+                             const std::string& output) {
+  Result result;
+  if (found.missing_units > 0) {
+    result.text = "done, of " + counted(found.missing_units, "unit") + " left to others nothing is known\n";
+    result.json = {{"missing_units", found.missing_units}};
+    if (!output.empty())
+      result.warnings.push_back(output + " was not written: this is one of several shards");
+    return result;
+  }
+  if (output.empty())
+    for (const Manifold& m : found.manifolds) result.text += manifold_json(m).dump() + "\n";
+  else {
+    result.files.push_back({output, catalogue::write_table(tetrahedra, found.manifolds)});
+    result.text =
+        counted(static_cast<long long>(found.manifolds.size()), "manifold") + " written to " + output + "\n";
+  }
+  if (!found.stuck.empty()) {
+    result.status = Status::undecided;
+    result.warnings.push_back(
+        counted(found.tally.stuck, "structure") +
+        " left out for want of a canonical decomposition: " + joined(found.stuck, ", "));
+  }
+  if (found.tally.flat > 0)
+    result.warnings.push_back(counted(found.tally.flat, "manifold") +
+                              " with flat faces, distinguished by 60 digits and not by proof");
+  return result;
+}
+
+std::string without_blanks(std::string text) {
+  std::erase(text, ' ');
+  return text;
+}
+
+/// "3,2": genera, decreasing. Nothing for no text.
+std::optional<std::vector<int>> genera_in(const std::string& text) {
+  if (text.empty()) return std::nullopt;
+  constexpr int largest = 1000;
+  std::vector<int> genera;
+  for (std::size_t at = 0; at <= text.size();) {
+    const std::size_t comma = std::min(text.find(',', at), text.size());
+    const auto genus = format::parse_integer(std::string_view(text).substr(at, comma - at));
+    if (!genus || *genus < 2 || *genus > largest)
+      throw InputError("--boundary " + in_quotes(text) + ": expected genera from 2 on, such as 2 or 3,2");
+    genera.push_back(static_cast<int>(*genus));
+    at = comma + 1;
+  }
+  std::sort(genera.begin(), genera.end(), std::greater<>());
+  return genera;
+}
+
+/// "9..10": both ends included.
+std::pair<double, double> range_in(const std::string& text) {
+  constexpr double infinite = std::numeric_limits<double>::infinity();
+  if (text.empty()) return {-infinite, infinite};
+  const std::size_t dots = text.find("..");
+  const auto refuse = [&text] {
+    return InputError("--volume " + in_quotes(text) + ": expected a range such as 9..10");
+  };
+  if (dots == std::string::npos || text.size() == 2) throw refuse();
+  const auto end = [&](std::size_t from, std::size_t length, double otherwise) {
+    const std::string_view number = std::string_view(text).substr(from, length);
+    if (number.empty()) return otherwise;
+    const auto value = format::parse_double(number);
+    if (!value) throw refuse();
+    return *value;
+  };
+  return {end(0, dots, -infinite), end(dots + 2, std::string::npos, infinite)};
+}
+
+/// Which manifolds of a table are asked for.
+struct Wanted {
+  std::optional<std::vector<int>> boundary;
+  std::pair<double, double> volume;
+  std::string homology; ///< without blanks; empty: any
+  std::optional<int> cusps;
+
+  bool fits(const Manifold& m) const {
+    const double v = format::parse_double(m.volume).value_or(0);
+    return (!boundary || m.boundary == *boundary) && v >= volume.first && v <= volume.second &&
+           (homology.empty() || without_blanks(m.homology) == homology) && (!cusps || m.cusps == *cusps);
+  }
+};
+
 } // namespace
 
 Run declare_census_gluings(OptionTable& table) {
@@ -150,28 +270,84 @@ Run declare_census_gluings(OptionTable& table) {
 }
 
 Run declare_census_enumerate(OptionTable& table) {
-  const auto tetrahedra = std::make_shared<int>(3);
-  const auto output = std::make_shared<std::string>();
-  add_tetrahedra(table, *tetrahedra, true);
-  table.add("-o,--output", *output, "write a census table to this file (the format of census/*.json)")
+  struct Options {
+    int tetrahedra = 3;
+    std::string output;
+    bool brief = false;
+    std::string work;
+    bool resume = false;
+    std::string share;
+  };
+  const auto options = std::make_shared<Options>();
+  add_tetrahedra(table, options->tetrahedra, true);
+  table.add("-o,--output", options->output, "write a census table to this file (the format of census/*.json)")
       .value_name("FILE");
-  return [tetrahedra, output](const Context& context) {
-    const auto found = catalogue::classify_manifolds(*tetrahedra, context.threads, context.progress);
-    Result result;
-    if (output->empty())
-      for (const Manifold& m : found.manifolds) result.text += manifold_json(m).dump() + "\n";
-    else {
-      result.files.push_back({*output, catalogue::write_table(*tetrahedra, found.manifolds)});
-      result.text = counted(static_cast<long long>(found.manifolds.size()), "manifold") + " written to " +
-                    *output + "\n";
+  table.add("--brief", options->brief, "leave the dihedral angles out");
+  table
+      .add("--work", options->work,
+           "keep finished units of work in this folder, so that a run that was stopped, in whatever way, can "
+           "be resumed")
+      .value_name("DIR");
+  table.add("--resume", options->resume, "go on with what the folder of --work holds");
+  table
+      .add("--shard", options->share,
+           "do the units of one of several machines alone, such as 1/4; census merge puts the folders "
+           "together")
+      .value_name("I/K");
+  return [options](const Context& context) {
+    catalogue::WorkOptions how;
+    how.threads = context.threads;
+    if (!options->share.empty()) how.share = share_in(options->share);
+    if (options->work.empty() && (options->resume || !options->share.empty()))
+      throw InputError(std::string(options->resume ? "--resume" : "--shard") + " needs --work");
+    std::unique_ptr<format::Records> records;
+    if (!options->work.empty()) {
+      records = open_work(options->work, options->tetrahedra,
+                          options->resume ? format::Records::Open::resume : format::Records::Open::fresh);
+      how.records.find = [&](const std::string& key) { return records->find(key); };
+      how.records.keep = [&](const std::string& key, const std::string& text) { records->add(key, text); };
     }
-    if (found.tally.stuck > 0)
-      result.warnings.push_back(counted(found.tally.stuck, "structure") +
-                                " left out for want of a canonical decomposition");
-    if (found.tally.flat > 0)
-      result.warnings.push_back(counted(found.tally.flat, "manifold") +
-                                " with flat faces, distinguished by 60 digits and not by proof");
+    auto found = catalogue::classify_manifolds(options->tetrahedra, how, context.progress);
+    if (options->brief) found.manifolds = without_angles(std::move(found.manifolds));
+    Result result = classification_result(found, options->tetrahedra, options->output);
+    if (records && records->damaged() > 0)
+      result.warnings.push_back(counted(records->damaged(), "damaged record") + " in " + options->work +
+                                " done again");
     return result;
+  };
+}
+
+Run declare_census_merge(OptionTable& table) {
+  struct Options {
+    std::vector<std::string> folders;
+    int tetrahedra = 3;
+    std::string output;
+  };
+  const auto options = std::make_shared<Options>();
+  table
+      .add("DIR", options->folders,
+           "the folders that census enumerate --work wrote, or the files of records in them")
+      .required();
+  add_tetrahedra(table, options->tetrahedra, true);
+  table.add("-o,--output", options->output, "write a census table to this file (the format of census/*.json)")
+      .value_name("FILE");
+  return [options](const Context& context) {
+    std::vector<std::unique_ptr<format::Records>> all;
+    for (const std::string& folder : options->folders)
+      all.push_back(open_work(located(folder), options->tetrahedra, format::Records::Open::read));
+    catalogue::WorkOptions how;
+    how.threads = context.threads;
+    how.share.reset();
+    how.records.find = [&](const std::string& key) -> const std::string* {
+      for (const auto& records : all)
+        if (const std::string* text = records->find(key)) return text;
+      return nullptr;
+    };
+    const auto found = catalogue::classify_manifolds(options->tetrahedra, how, context.progress);
+    if (found.missing_units > 0)
+      throw InputError(counted(found.missing_units, "unit") +
+                       " of work missing from these folders (census enumerate --resume does them)");
+    return classification_result(found, options->tetrahedra, options->output);
   };
 }
 
@@ -182,18 +358,41 @@ Run declare_census_validate(OptionTable& table) {
 }
 
 Run declare_census_list(OptionTable& table) {
-  const auto tetrahedra = std::make_shared<int>(3);
-  add_tetrahedra(table, *tetrahedra, false);
-  return [tetrahedra](const Context&) {
+  struct Options {
+    int tetrahedra = 3;
+    std::string boundary;
+    std::string volume;
+    std::string homology;
+    std::optional<int> cusps;
+    bool count = false;
+  };
+  const auto o = std::make_shared<Options>();
+  add_tetrahedra(table, o->tetrahedra, false);
+  table.add("--boundary", o->boundary, "only with geodesic boundary of just these genera, such as 2 or 3,2")
+      .value_name("LIST");
+  table.add("--volume", o->volume, "only with a volume in this range; either end may be left out")
+      .value_name("A..B");
+  table.add("--homology", o->homology, "only with this first homology, such as 'Z^2 + Z/3'")
+      .value_name("GROUP");
+  table.add("--cusps", o->cusps, "only with this number of cusps").in_range(0, 1000);
+  table.add("--count", o->count, "print no more than their number");
+  return [o](const Context&) {
+    const Wanted wanted{genera_in(o->boundary), range_in(o->volume), without_blanks(o->homology), o->cusps};
     Result result;
-    result.json = {{"tetrahedra", *tetrahedra}, {"manifolds", Json::array()}};
+    result.json = {{"tetrahedra", o->tetrahedra}, {"count", 0}};
+    if (!o->count) result.json["manifolds"] = Json::array();
+    long long count = 0;
     std::vector<std::pair<std::string, std::string>> rows;
-    for (const Manifold& m : catalogue::require_table(*tetrahedra)) {
+    for (const Manifold& m : catalogue::require_table(o->tetrahedra)) {
+      if (!wanted.fits(m)) continue;
+      ++count;
+      if (o->count) continue;
       result.json["manifolds"].push_back(manifold_json(m));
       rows.emplace_back(m.name, shortened(m.volume) + "  " + m.boundary_text() + "  " + m.homology + "  " +
                                     m.signature);
     }
-    result.text = block(rows);
+    result.json["count"] = count;
+    result.text = o->count ? std::to_string(count) + "\n" : block(rows);
     return result;
   };
 }

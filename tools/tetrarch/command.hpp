@@ -16,7 +16,9 @@
 
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -48,7 +50,14 @@ struct Common {
   bool quiet = false;
   std::uint64_t seed = 1;
   int threads = 1;
+  std::optional<double> memory; ///< gigabytes that a job may take
 };
+
+/// For what is estimated before it is begun: gigabytes that are allowed.
+inline double allowed_gigabytes(const Common& common) {
+  constexpr double usual = 4;
+  return common.memory.value_or(usual);
+}
 
 struct Command;
 /// What a command has read so far.
@@ -60,7 +69,10 @@ struct Reads {
 /// What every command is given besides its own options.
 struct Context : Common {
   Progress progress;
-  const Values* values = nullptr;                 ///< what names mean; null outside a session
+  const Values* values = nullptr; ///< what names mean; null outside a session
+  /// Values that nobody else needs: who reads a mesh takes it, so that there is no second one while the long
+  /// work is done. Null: none.
+  std::map<std::string, std::shared_ptr<Value>, std::less<>>* passing = nullptr;
   const std::vector<Command>* commands = nullptr; ///< the table that the command stands in
   std::string program;                            ///< what usage lines begin with; empty in a session
   /// Whoever reads an input notes here what was passed over; it is printed with the result.
@@ -97,7 +109,11 @@ Run declare_check(OptionTable& table);
 Run declare_simplify(OptionTable& table);
 Run declare_truncate(OptionTable& table);
 Run declare_subdivide(OptionTable& table);
+Run declare_drill(OptionTable& table);
+Run declare_diagram(OptionTable& table);
+Run declare_exterior(OptionTable& table);
 Run declare_hyperbolize(OptionTable& table);
+Run declare_verify(OptionTable& table);
 Run declare_canonize(OptionTable& table);
 Run declare_isometric(OptionTable& table);
 Run declare_embed(OptionTable& table);
@@ -109,6 +125,7 @@ Run declare_hex(OptionTable& table);
 Run declare_product(OptionTable& table);
 Run declare_census_gluings(OptionTable& table);
 Run declare_census_enumerate(OptionTable& table);
+Run declare_census_merge(OptionTable& table);
 Run declare_census_validate(OptionTable& table);
 Run declare_census_list(OptionTable& table);
 Run declare_census_show(OptionTable& table);

@@ -2,16 +2,19 @@
 #include "command.hpp"
 
 #include "tetrarch/workshop/canonical.hpp"
+#include "tetrarch/workshop/diagram.hpp"
 #include "tetrarch/workshop/filling.hpp"
 #include "tetrarch/workshop/identify.hpp"
 #include "tetrarch/workshop/info.hpp"
 #include "tetrarch/workshop/structure.hpp"
+#include "tetrarch/workshop/verify.hpp"
 
 namespace tetrarch::program {
 namespace {
 
 constexpr const char* triangulations = "Triangulations";
 constexpr const char* structures = "Hyperbolic structures";
+constexpr const char* diagrams = "Knots, links and graphs in space";
 constexpr const char* meshes = "Meshes of surfaces and solids";
 constexpr const char* tables = "The census";
 constexpr const char* session = "Sessions and help";
@@ -46,9 +49,16 @@ const std::vector<Command>& commands() {
       {triangulations, "subdivide",
        "more tetrahedra, the same manifold; real boundary in place of ideal vertices",
        "subdivide cPcbbbihq --finite --barycentric 1 -o knotted_y_mesh.json", declare_subdivide},
+      {triangulations, "drill", "the exterior of a set of edges", "drill cMcabbgqs 0", declare_drill},
+      {diagrams, "diagram", "read and check the diagram of a link or a graph in space",
+       "diagram 'braid 1 -2 1 -2'", declare_diagram, false, workshop::notes_of<workshop::DiagramFacts>},
+      {diagrams, "exterior", "the exterior of a link or a graph in space", "exterior 'braid 1 -2 1 -2'",
+       declare_exterior, false, workshop::notes_of<workshop::Exterior>},
       {structures, "hyperbolize",
        "find the structure with geodesic boundary and cusps, by Newton's method or Luo's flow",
        "hyperbolize cPcbbbihq", declare_hyperbolize, false, workshop::notes_of<workshop::Structure>},
+      {structures, "verify", "check a certificate of a structure by other means than those that made it",
+       "verify samples/knotted_y.cert.json", declare_verify, false, workshop::notes_of<checker::Report>},
       {structures, "canonize", "canonical cells, isometry signature and isometry group", "canonize fmp3_1",
        declare_canonize, false, workshop::notes_of<workshop::Cells>},
       {structures, "isometric", "decide whether two manifolds are isometric", "isometric cPcbbbihq fmp2_1",
@@ -78,6 +88,8 @@ const std::vector<Command>& commands() {
       {tables, "census enumerate",
        "classify the manifolds of N tetrahedra from nothing, one JSON object per line",
        "census enumerate --tetrahedra 2", declare_census_enumerate},
+      {tables, "census merge", "the table of work that several machines did, each a share",
+       "census merge samples/census_work.records --tetrahedra 2 -o census.json", declare_census_merge},
       {tables, "census validate", "rebuild a stored table from nothing and solve its manifolds again",
        "census validate --tetrahedra 2", declare_census_validate},
       {tables, "census list", "list the manifolds of a stored table", "census list --tetrahedra 2",

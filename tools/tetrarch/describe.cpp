@@ -47,6 +47,8 @@ Json option_json(const Option& option) {
   json["choices"] = texts(option.choices);
   json["required"] = option.is_required;
   json["repeats"] = option.repeats();
+  json["words"] = option.words;
+  json["optional_value"] = !option.implied.empty();
   return json;
 }
 
@@ -139,6 +141,13 @@ void declare_common(OptionTable& table, Common& common) {
       .add("--threads", common.threads,
            "number of threads (default: all cores); the results do not depend on it")
       .in_range(1, most_threads)
+      .group = common_group;
+  table
+      .add("--memory", common.memory,
+           "greatest memory to use, in gigabytes (default: nine tenths of the machine's; 4 for what is "
+           "estimated beforehand)")
+      .positive()
+      .value_name("GB")
       .group = common_group;
 }
 

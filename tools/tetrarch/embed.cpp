@@ -34,7 +34,6 @@ struct Options {
   double chord_error = 0;
   double tube_radius = ModelOptions{}.tube_radius;
   double cusp_area = embed::DomainOptions{}.cusp_area;
-  double memory = 4;
   bool outside = false;
   std::string colors = "tetrahedron";
 };
@@ -158,7 +157,7 @@ struct Drawn {
 
 Drawn draw(const Embedding& e, const embed::PieceBounds& wanted, const Options& options,
            const Context& context) {
-  const embed::PieceBounds bounds = allowed_bounds(wanted, options.memory);
+  const embed::PieceBounds bounds = allowed_bounds(wanted, allowed_gigabytes(context));
   Drawn drawn;
   if (options.boundary) {
     const auto lifts = boundary_lifts(e.tri, e.skeleton, e.domain);
@@ -172,7 +171,7 @@ Drawn draw(const Embedding& e, const embed::PieceBounds& wanted, const Options& 
     drawn.piece = universal_cover(e.domain, bounds, context.progress);
     drawn.body = show::body_of(e.tri, e.skeleton, e.domain, drawn.piece);
   }
-  require_complete(drawn.piece, wanted, options.memory);
+  require_complete(drawn.piece, wanted, allowed_gigabytes(context));
   return drawn;
 }
 
@@ -198,7 +197,7 @@ std::string picture(const std::string& path, const Body& body, const Options& op
   if (is_svg(path))
     return write_svg(body.view == show::View::space ? circles_at_infinity(body) : drawing_of(body, how));
   require_memory(std::to_string(body.copies.size()) + " copies in " + path, scene_bytes(body, how),
-                 options.memory);
+                 allowed_gigabytes(context));
   return write_scene(in_model(body, how, context.progress), *scene::scene_format_for_extension(path));
 }
 
@@ -253,7 +252,6 @@ Run declare_embed(OptionTable& table) {
       .with_default();
   table.add("--outside", o->outside, "omit the faces inside a copy");
   table.add("--cusp-area", o->cusp_area, "area of the cross-section that cuts a cusp off").with_default();
-  table.add("--memory", o->memory, "greatest memory to use, in gigabytes").with_default();
   return [o](const Context& context) { return run_embed(*o, context); };
 }
 

@@ -32,7 +32,6 @@ struct Options {
   double sharp = hex::FillOptions{}.sharp;
   double volume_tolerance = hex::FillOptions{}.volume_tolerance;
   double hausdorff_tolerance = hex::FillOptions{}.hausdorff_tolerance;
-  double memory = 4;
   Doctor doctor;
 };
 
@@ -45,7 +44,7 @@ product::Solid read_solid(const Options& options, Result& result, const Context&
   });
 }
 
-hex::FillOptions wanted(const Options& options, const product::Solid& solid) {
+hex::FillOptions wanted(const Options& options, const product::Solid& solid, const Context& context) {
   hex::FillOptions result;
   result.edge = options.edge;
   result.cells = options.cells;
@@ -56,7 +55,7 @@ hex::FillOptions wanted(const Options& options, const product::Solid& solid) {
       options.edge ? *options.edge : hex::edge_for(solid, options.cells.value_or(hex::usual_cells));
   require_memory(options.edge ? "--edge " + rounded(edge)
                               : "--cells " + std::to_string(options.cells.value_or(hex::usual_cells)),
-                 hex::bytes_for_edge(solid, edge), options.memory);
+                 hex::bytes_for_edge(solid, edge), allowed_gigabytes(context));
   return result;
 }
 
@@ -94,7 +93,8 @@ Result run_hex(const Options& options, const Context& context) {
   for (const std::string& path : options.outputs) require_known(path);
   Result result;
   const product::Solid solid = read_solid(options, result, context);
-  const workshop::FilledSolid found = workshop::filled_solid(solid, wanted(options, solid), context.progress);
+  const workshop::FilledSolid found =
+      workshop::filled_solid(solid, wanted(options, solid, context), context.progress);
   result.status = status_of(found.verdict());
   result.json = tree_of(found);
   result.text = block(rows_of(found));
@@ -139,7 +139,6 @@ Run declare_hex(OptionTable& table) {
            "exit status is 4")
       .in_range(0.0, 1.0)
       .with_default();
-  table.add("--memory", o->memory, "greatest memory to use, in gigabytes").with_default();
   declare_doctor(table, o->doctor);
   return [o](const Context& context) { return run_hex(*o, context); };
 }

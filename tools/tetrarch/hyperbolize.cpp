@@ -21,6 +21,10 @@ struct Options {
   std::string method = "newton";
   bool as_given = false;
   int attempts = workshop::StructureOptions{}.attempts;
+  bool certify = false;
+  int digits = 0;
+
+  bool writes_certificate() const { return output.ends_with(".cert.json"); }
 };
 
 /// What else the file says stays true if the triangulation stayed the same.
@@ -46,6 +50,8 @@ Result hyperbolize(const Options& options, const Context& context) {
   how.as_given = options.as_given;
   how.attempts = options.attempts;
   how.seed = context.seed;
+  how.certify = options.certify || options.writes_certificate();
+  how.digits = options.digits;
   const workshop::Structure found = structure(document.triangulation, how, context.progress);
 
   Result result;
@@ -60,11 +66,14 @@ Result hyperbolize(const Options& options, const Context& context) {
   }
   if (found.verdict() != workshop::Verdict::yes) {
     if (!options.output.empty())
-      result.warnings.push_back(options.output + " was not written: no structure was found");
+      result.warnings.push_back(options.output + " was not written: no structure was " +
+                                (found.certified ? "certified" : "found"));
     return result;
   }
   format::Document solved = with_structure(std::move(document), found);
-  if (!options.output.empty()) result.files.push_back({options.output, write_json(solved)});
+  if (!options.output.empty())
+    result.files.push_back(
+        {options.output, options.writes_certificate() ? found.certificate : write_json(solved)});
   result.value = std::make_shared<Value>(std::move(solved));
   return result;
 }
@@ -80,8 +89,13 @@ Run declare_hyperbolize(OptionTable& table) {
       .with_default();
   table.add("--history", options->history, "write the flow's sum of K^2 at each step as CSV")
       .value_name("FILE");
-  table.add("-o,--output", options->output, "write the triangulation with its metric as JSON")
+  table
+      .add("-o,--output", options->output,
+           "write the triangulation with its metric as JSON; to a name that ends in .cert.json, the "
+           "certificate")
       .value_name("FILE");
+  table.add("--certify", options->certify, "prove that the structure exists, and enclose its volume");
+  table.add("--digits", options->digits, "the same, with so many digits of the volume").in_range(1, 2'000);
   table.add("--as-given", options->as_given, "solve on the given triangulation and on no other");
   table.add("--attempts", options->attempts, "greatest number of triangulations to try")
       .in_range(1, 10'000'000)

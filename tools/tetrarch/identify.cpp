@@ -2,11 +2,14 @@
 #include "command.hpp"
 #include "input.hpp"
 #include "output.hpp"
+#include "samples.hpp"
 #include "text.hpp"
 
+#include "tetrarch/catalogue/manifold.hpp"
 #include "tetrarch/core/error.hpp"
 #include "tetrarch/core/skeleton.hpp"
 #include "tetrarch/format/read.hpp"
+#include "tetrarch/format/text.hpp"
 #include "tetrarch/moves/subdivide.hpp"
 #include "tetrarch/workshop/identify.hpp"
 
@@ -15,11 +18,22 @@
 namespace tetrarch::program {
 namespace {
 
-Result identify(const std::string& input, int attempts, const Context& context) {
+struct IdentifyOptions {
+  std::string input;
+  std::string table;
+  int attempts = identify::IdentifyOptions().attempts;
+};
+
+Result identify(const IdentifyOptions& options, const Context& context) {
+  const std::string& input = options.input;
+  identify::IdentifyOptions how;
+  how.seed = context.seed;
+  how.attempts = options.attempts;
+  if (!options.table.empty())
+    how.table = catalogue::read_table(format::read_file(located(options.table)), options.table);
   const format::Document document = read_triangulation(input, context);
   require_manifold(document.triangulation, input);
-  const identify::Identification found =
-      identify::identify(document.triangulation, {context.seed, attempts}, context.progress);
+  const identify::Identification found = identify::identify(document.triangulation, how, context.progress);
   Result result;
   result.warnings = document.warnings;
   result.status = status_of(workshop::verdict_of(found));
@@ -87,13 +101,16 @@ Result subdivide(const SubdivideOptions& options, const Context& context) {
 } // namespace
 
 Run declare_census_identify(OptionTable& table) {
-  const auto input = std::make_shared<std::string>();
-  const auto attempts = std::make_shared<int>(identify::IdentifyOptions().attempts);
-  table.add("X", *input, "a triangulation or a mesh").required();
-  table.add("--attempts", *attempts, "greatest number of triangulations to try")
+  const auto options = std::make_shared<IdentifyOptions>();
+  table.add("X", options->input, "a triangulation or a mesh").required();
+  table.add("--attempts", options->attempts, "greatest number of triangulations to try")
       .in_range(1, 1'000'000)
       .with_default();
-  return [input, attempts](const Context& context) { return identify(*input, *attempts, context); };
+  table
+      .add("--table", options->table,
+           "look it up in this table as well, which census enumerate -o or census merge -o wrote")
+      .value_name("FILE");
+  return [options](const Context& context) { return identify(*options, context); };
 }
 
 Run declare_subdivide(OptionTable& table) {

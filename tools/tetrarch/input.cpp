@@ -6,13 +6,30 @@
 #include "tetrarch/core/error.hpp"
 #include "tetrarch/workshop/info.hpp"
 
+#include <optional>
+#include <utility>
+
 namespace tetrarch::program {
 namespace {
 
-const Value* value_named(const std::string& name, const Context& context) {
-  if (context.values == nullptr) return nullptr;
-  const auto found = context.values->find(name);
-  return found == context.values->end() ? nullptr : found->second.get();
+template <class Named>
+ValuePointer value_in(const Named* values, const std::string& name) {
+  if (values == nullptr) return nullptr;
+  const auto found = values->find(name);
+  return found == values->end() ? nullptr : found->second;
+}
+
+/// Null: there is none of that name.
+ValuePointer value_named(const std::string& name, const Context& context) {
+  const ValuePointer value = value_in(context.values, name);
+  return value ? value : value_in(context.passing, name);
+}
+
+/// The mesh of that name, if nobody else needs it.
+std::optional<format::Soup> passing_soup(const std::string& name, const Context& context) {
+  const ValuePointer value = value_in(context.passing, name);
+  if (!value || !std::holds_alternative<format::MeshDocument>(*value)) return std::nullopt;
+  return std::move(std::get<format::MeshDocument>(*context.passing->extract(name).mapped()).soup);
 }
 
 /// The argument as it was typed: `shielded` put a blank before it.
@@ -35,7 +52,7 @@ format::Document read_triangulation(const std::string& argument, const Context& 
                                     const Doctor& doctor) {
   const std::string given = bared(argument);
   context.reads->any = true;
-  if (const Value* value = value_named(given, context))
+  if (const ValuePointer value = value_named(given, context))
     return triangulation_of(given, *value, context, doctor);
   format::Document document = workshop::open_triangulation(given, opened_with(doctor), context.progress);
   context.reads->passed_over.add(document.passed_over);
@@ -44,8 +61,9 @@ format::Document read_triangulation(const std::string& argument, const Context& 
 
 format::Soup read_soup(const std::string& argument, const Context& context) {
   context.reads->any = true;
-  if (const Value* value = value_named(argument, context)) {
-    if (const auto* mesh = std::get_if<format::MeshDocument>(value)) return mesh->soup;
+  if (auto soup = passing_soup(argument, context)) return *std::move(soup);
+  if (const ValuePointer value = value_named(argument, context)) {
+    if (const auto* mesh = std::get_if<format::MeshDocument>(value.get())) return mesh->soup;
     throw InputError(argument + " is a " + kind_of(*value) + " (expected a mesh: it has no coordinates)");
   }
   format::Soup soup = workshop::open_mesh(argument, opened_with({}));
@@ -80,8 +98,7 @@ algebra::Presentation presentation_of(const format::GroupDocument& group) {
 ValuePointer read_value(const std::string& argument, const Context& context) {
   const std::string given = bared(argument);
   context.reads->any = true;
-  if (context.values != nullptr)
-    if (const auto found = context.values->find(given); found != context.values->end()) return found->second;
+  if (ValuePointer named = value_named(given, context)) return named;
   Value value = workshop::open(given, opened_with({}));
   if (const auto* document = std::get_if<format::Document>(&value))
     context.reads->passed_over.add(document->passed_over);

@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "job.hpp"
 
+#include "finish.hpp"
 #include "interrupts.hpp"
+#include "memory.hpp"
 #include "progress_bar.hpp"
+#include "text.hpp"
 
 #include "tetrarch/core/error.hpp"
+#include "tetrarch/format/new_files.hpp"
 #include "tetrarch/format/text.hpp"
 #include "tetrarch/numeric/sparse_cholesky.hpp"
 
@@ -16,32 +20,6 @@
 
 namespace tetrarch::program {
 namespace {
-
-/// One file cannot hold two results. `paths` are those of earlier ones, to which these are added.
-void require_different(const std::vector<Result::File>& files, std::set<std::filesystem::path>& paths) {
-  for (const Result::File& file : files) {
-    std::error_code ignored; // of a path that leads nowhere nothing is known but its name
-    std::filesystem::path path = std::filesystem::absolute(file.path, ignored);
-    if (!ignored) path = std::filesystem::weakly_canonical(path, ignored);
-    if (!paths.insert(ignored ? std::filesystem::path(file.path) : path).second)
-      throw InputError({file.path, 0}, "two results have this file name; nothing was written");
-  }
-}
-
-Json ledger_json(const format::Ledger& ledger) {
-  Json list = Json::array();
-  for (const format::Ledger::Entry& e : ledger.entries())
-    list.push_back({{"what", e.what}, {"count", e.count}});
-  return list;
-}
-
-/// Adds to the result what was passed over by those who read for it.
-void tell_reads(Result& result, const Reads& reads) {
-  if (!reads.any) return;
-  if (!reads.passed_over.empty())
-    result.warnings.insert(result.warnings.begin(), reads.passed_over.sentence());
-  if (result.json.is_object()) result.json["passed_over"] = ledger_json(reads.passed_over);
-}
 
 /// Adds whose result it is.
 void tell_input(Result& result, const Share& share) {
@@ -56,20 +34,14 @@ void tell_input(Result& result, const Share& share) {
       printable(share.input + (share.name.empty() ? "" : "  " + share.name)) + "\n" + result.text + "\n";
 }
 
-/// No command is done whose result holds a number that is none.
-void require_numbers(Result& result) {
-  const std::string where = result.json.where_not_a_number();
-  if (where.empty() || result.status != Status::done) return;
-  result.status = Status::undecided;
-  result.warnings.push_back("rounding errors were too great: " + where + " is no number");
-}
-
 void deliver(const Result& result, const Common& common, const std::string& speaker,
              const Statement* statement, Share* share) {
   std::set<std::filesystem::path> paths;
   require_different(result.files, share == nullptr ? paths : share->written);
   if (!result.files.empty()) note_writing();
-  for (const Result::File& file : result.files) format::write_file_atomically(file.path, file.content);
+  std::vector<format::NewFile> files;
+  for (const Result::File& file : result.files) files.push_back({file.path, file.content});
+  format::write_files_atomically(files);
   if (!common.quiet)
     for (const std::string& warning : result.warnings) warn(speaker, warning);
   if (common.json && statement != nullptr) {
@@ -161,7 +133,10 @@ JobOutcome run_job(const Job& job, const Values* values, const std::string& spea
                       nullptr};
   };
   const ProgressBar bar(!common.quiet);
+  const double most_memory = common.memory.value_or(usual_memory());
   try {
+    restore_reserves(); // an earlier job may have used them
+    bound_memory(most_memory);
     Context context;
     static_cast<Common&>(context) = common;
     context.progress = Progress(bar.report(), token_of_next_job());
@@ -169,8 +144,7 @@ JobOutcome run_job(const Job& job, const Values* values, const std::string& spea
     if (share != nullptr) context.reads->passed_over.add(share->passed_over);
     Result result = job.run(context);
     bar.clear();
-    require_numbers(result);
-    tell_reads(result, *context.reads);
+    finish(result, *context.reads);
     if (share != nullptr) tell_input(result, *share);
     deliver(result, common, speaker, statement, share);
     return {result.status, std::move(result.value)};
@@ -186,7 +160,9 @@ JobOutcome run_job(const Job& job, const Values* values, const std::string& spea
     return failed(e.what(), Status::bad_input);
   } catch (const std::bad_alloc&) {
     bar.clear();
-    return failed("out of memory", Status::fault);
+    return failed("out of memory: the job takes more than there is, or than the " + fixed(most_memory, 1) +
+                      " GB allowed (--memory)",
+                  Status::bad_input);
   } catch (const std::system_error& e) { // the file system is not what the job took it for
     bar.clear();
     return failed(e.what(), Status::bad_input);

@@ -40,6 +40,7 @@ struct Options {
   std::string distance;
   bool mirror = false;
   bool unflip = false;
+  bool allow_flips = false;
   bool intrinsic = false;
   int stage = -1;
   int basis = -1;
@@ -377,7 +378,8 @@ Result run_slit(const Options& options, const Context& context) {
   result.text = block(report.rows);
   result.json = std::move(report.json);
   result.warnings = std::move(report.warnings);
-  if (!made.found) result.status = Status::undecided;
+  const bool folds = result.json["flipped"].integer() > 0 && !options.allow_flips;
+  if (!made.found || folds) result.status = Status::undecided;
   for (const std::string& path : options.outputs) result.files.push_back({path, file(path, made, options)});
   if (context.values != nullptr) result.value = std::make_shared<Value>(document(made, options));
   return result;
@@ -432,6 +434,7 @@ Run declare_slit(OptionTable& table) {
   table.add("--mirror", o->mirror,
             "let --distance compare with the mirror image of the other surface as well");
   table.add("--unflip", o->unflip, "move vertices near inverted triangles until no triangle is inverted");
+  table.add("--allow-flips", o->allow_flips, "status 0 although triangles are inverted (without it: 4)");
   table.add("--intrinsic", o->intrinsic,
             "solve on the intrinsic Delaunay triangulation, which is better for obtuse triangles");
   table

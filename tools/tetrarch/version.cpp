@@ -4,9 +4,11 @@
 #include <CLI/Version.hpp>
 #include <Eigen/Core>
 #include <boost/version.hpp>
+#include <flint/flint.h>
 #include <gmp.h>
 #include <lz4.h>
 #include <lzma.h>
+#include <mpfi.h>
 #include <mpfr.h>
 #include <nlohmann/json.hpp>
 #include <pugixml.hpp>
@@ -44,7 +46,8 @@ std::string version_text() {
          "Boost " +
          dotted(BOOST_VERSION / 100000, BOOST_VERSION / 100 % 1000, BOOST_VERSION % 100) + ", Eigen " +
          dotted(EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION) + ", GMP " + gmp_version +
-         ", MPFR " + mpfr_get_version() + ", nlohmann-json " +
+         ", MPFR " + mpfr_get_version() + ", MPFI " + mpfi_get_version() +
+         ", FLINT " FLINT_VERSION ", nlohmann-json " +
          dotted(NLOHMANN_JSON_VERSION_MAJOR, NLOHMANN_JSON_VERSION_MINOR, NLOHMANN_JSON_VERSION_PATCH) +
          ", CLI11 " CLI11_VERSION ", pugixml " +
          dotted(PUGIXML_VERSION / 1000, PUGIXML_VERSION / 10 % 100, PUGIXML_VERSION % 10) + ", zlib " +

@@ -17,6 +17,7 @@
 /// but not certified*. Source: Kojima 1990; Frigerio-Petronio 2004; Weeks 1993 for the moves.
 
 #include "tetrarch/canonical/cells.hpp"
+#include "tetrarch/canonical/certify.hpp"
 #include "tetrarch/canonical/decorated.hpp"
 #include "tetrarch/core/isomorphism.hpp"
 #include "tetrarch/core/progress.hpp"
@@ -57,8 +58,11 @@ struct Canonical {
   /// where all cells are tetrahedra, else the coned one (cells.hpp).
   std::vector<std::string> cells;
   Triangulation canonical_triangulation;
-  /// Equal exactly for isometric manifolds (orientation forgotten), as far as flat faces are confirmed.
+  /// Equal exactly for isometric manifolds (orientation forgotten), as far as the cells are proved.
   std::string isometry_signature;
+  /// Whether the cells are proved. `canonize` proves nothing; whoever has certified lengths may
+  /// (certify.hpp).
+  CellsProof proof;
 };
 
 /// Canonises a solved structure (`structure.outcome` must be geometric, else PreconditionError).
@@ -79,7 +83,8 @@ struct IsometryAnswer {
     isomorphism, ///< of triangulations: a homeomorphism, hence an isometry (Mostow rigidity)
     boundary,    ///< the boundaries differ
     homology,    ///< the first homology groups differ
-    cells,       ///< the canonical decompositions differ
+    volume,      ///< certified volumes lie in disjoint intervals
+    cells,       ///< the canonical decompositions differ, and both are proved
   };
   Verdict verdict = Verdict::undecided;
   Proof proof = Proof::none;
@@ -89,9 +94,8 @@ struct IsometryAnswer {
 /// The name as spelt above; stable, for JSON.
 const char* to_string(IsometryAnswer::Proof proof);
 
-/// Compares canonical triangulations. Where they are isomorphic, the manifolds are isometric, flat faces or
-/// not. Where they differ and either has flat faces, the difference rests on numbers that are not certified:
-/// undecided.
+/// Compares canonical triangulations. Where they are isomorphic, the manifolds are isometric, proved or not.
+/// Where they differ, the manifolds are not isometric if both decompositions are proved; else undecided.
 [[nodiscard]] IsometryAnswer compare(const Canonical& a, const Canonical& b);
 
 } // namespace tetrarch::canonical

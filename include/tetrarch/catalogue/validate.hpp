@@ -10,6 +10,8 @@
 #include "tetrarch/catalogue/manifold.hpp"
 #include "tetrarch/core/progress.hpp"
 
+#include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,13 +26,40 @@ struct Tally {
 };
 
 struct Classification {
-  std::vector<Manifold> manifolds; ///< sorted by volume; named where `tetrahedra` <= 3
+  std::vector<Manifold>
+      manifolds; ///< sorted by volume; named where `tetrahedra` <= 4; none if units are missing
   Tally tally;
+  std::vector<std::string>
+      stuck;             ///< signatures of gluings with a structure that has no cells within the budget
+  int missing_units = 0; ///< that others have to do
+};
+
+/// Where finished units of work are kept, so that none is done twice. Empty functions: nowhere. Both may be
+/// called from any thread.
+struct UnitRecords {
+  std::function<const std::string*(const std::string& key)> find;
+  std::function<void(const std::string& key, const std::string& text)> keep;
+};
+
+/// Every `count`-th unit, beginning with number `index`, from 0.
+struct Share {
+  int index = 0;
+  int count = 1;
+};
+
+struct WorkOptions {
+  int threads = 1;
+  UnitRecords records;
+  std::optional<Share> share =
+      Share{}; ///< what is to be done here; nothing: units come from the records alone
 };
 
 /// All manifolds of this many tetrahedra and no fewer. One second for three on two cores, a few minutes for
 /// four. Deterministic for any number of threads. Throws PreconditionError unless tetrahedra >= 1.
 Classification classify_manifolds(int tetrahedra, int threads = 1, const Progress& progress = {});
+/// The same in units of 64 gluings, which may be kept, taken from earlier runs, and shared out. The result
+/// depends on none of that. A unit that was kept counts only if it is one of the very gluings.
+Classification classify_manifolds(int tetrahedra, const WorkOptions& options, const Progress& progress = {});
 
 /// Published numbers of a table, as an outside witness.
 struct Published {

@@ -27,7 +27,8 @@ namespace tetrarch::identify {
 
 struct IdentifyOptions {
   std::uint64_t seed = 1;
-  int attempts = 1000; ///< triangulations on which a structure is sought
+  int attempts = 1000;                      ///< triangulations on which a structure is sought
+  std::vector<catalogue::Manifold> table{}; ///< somebody's own, looked up after the stored ones
 };
 
 /// The name of a manifold, its evidence, and all attempts.

@@ -15,6 +15,7 @@
 #include <exception>
 #include <map>
 #include <mutex>
+#include <system_error>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -25,6 +26,17 @@ struct Threads {
   int count = 1; ///< this one among them
   int batch = 1; ///< jobs that a thread takes at a time
 };
+
+/// Starts a thread that runs `work`; false where the system gives no more.
+template <class Work>
+bool started(std::vector<std::jthread>& threads, const Work& work) {
+  try {
+    threads.emplace_back(work);
+    return true;
+  } catch (const std::system_error&) {
+    return false;
+  }
+}
 
 /// Runs `job(k)` for all k < count. This thread is one of them, and calls `report(part)` between its batches
 /// with the part, from 0 to 1, that has been taken. What is thrown first, by a job or by `report`, is thrown
@@ -50,10 +62,11 @@ void parallel_for(int count, Threads threads, const Job& job, const Report& repo
     std::vector<std::jthread> helpers;
     helpers.reserve(static_cast<std::size_t>(std::max(0, threads.count - 1)));
     for (int k = 1; k < threads.count; ++k)
-      helpers.emplace_back([&] {
-        work(false);
-        free_thread_cache();
-      });
+      if (!started(helpers, [&] {
+            work(false);
+            free_thread_cache();
+          }))
+        break;
     work(true);
   }
   if (failure) std::rethrow_exception(failure);
@@ -75,7 +88,10 @@ public:
     std::vector<std::jthread> workers;
     workers.reserve(static_cast<std::size_t>(threads));
     const Closing closing{*this};
-    for (int k = 0; k < threads; ++k) workers.emplace_back([&] { work(make_worker); });
+    for (int k = 0; k < threads; ++k)
+      if (!started(workers, [&] { work(make_worker); })) break;
+    if (workers.empty() && pieces_ > 0)
+      throw std::system_error(std::make_error_code(std::errc::resource_unavailable_try_again));
     for (std::size_t piece = 0; piece < pieces_; ++piece) {
       report(static_cast<double>(piece) / static_cast<double>(pieces_));
       deliver(wait_for(piece));

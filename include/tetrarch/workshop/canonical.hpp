@@ -13,6 +13,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace tetrarch::format {
 struct Document;
@@ -23,6 +24,7 @@ namespace tetrarch::workshop {
 struct CanonicalOptions {
   int attempts = hyperbolic::SearchOptions{}.attempts; ///< greatest number of triangulations to try
   std::uint64_t seed = 1;
+  bool list_isometries = false; ///< keep all isometries
 };
 
 /// The cells of a manifold, or the sentence that says why there are none.
@@ -33,12 +35,16 @@ struct Cells {
   double volume = 0;
   int filled_spheres = 0; ///< boundary spheres that were filled with balls: the cells are of that manifold
   std::size_t isometry_group_order = 0;
+  std::string isometry_group;          ///< its name; empty: it has none of those known
+  std::optional<bool> amphichiral;     ///< an isometry reverses orientation; nothing: there is none
+  std::vector<Isomorphism> isometries; ///< of the canonical triangulation, if they were asked for
 
   Verdict verdict() const;
 };
 
 /// Throws PreconditionError unless `tri` is a connected manifold of at least one tetrahedron; Stopped if the
 /// progress says so. Milliseconds for ten tetrahedra.
+/// The cells are proved where that succeeds.
 Cells cells(const Triangulation& tri, const CanonicalOptions& options = {}, const Progress& progress = {});
 
 Rows rows_of(const Cells& found);
@@ -63,7 +69,7 @@ struct Isometry {
 };
 
 /// Both as for `cells`. Boundaries (spheres count) and first homology are compared first, then the
-/// triangulations themselves, then canonical cells.
+/// triangulations themselves, then certified volumes, then canonical cells.
 Isometry isometry(const Compared& x, const Compared& y, const CanonicalOptions& options = {},
                   const Progress& progress = {});
 

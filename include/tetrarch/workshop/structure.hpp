@@ -9,10 +9,13 @@
 #include "tetrarch/core/progress.hpp"
 #include "tetrarch/hyperbolic/cusp.hpp"
 #include "tetrarch/hyperbolic/search.hpp"
+#include "tetrarch/verified/structure.hpp"
 #include "tetrarch/workshop/fields.hpp"
 #include "tetrarch/workshop/verdict.hpp"
 
 #include <cstdint>
+#include <optional>
+#include <string>
 #include <vector>
 
 namespace tetrarch::format {
@@ -26,6 +29,8 @@ struct StructureOptions {
   bool as_given = false;                               ///< solve on the given triangulation and on no other
   int attempts = hyperbolic::SearchOptions{}.attempts; ///< greatest number of triangulations to try
   std::uint64_t seed = 1;
+  bool certify = false; ///< prove that the structure exists, and enclose its volume
+  int digits = 0;       ///< the same with so many digits of the volume; 0: as they come
 };
 
 /// A structure, or why there is none. It owns all that it speaks of.
@@ -33,7 +38,11 @@ struct Structure {
   hyperbolic::Search search; ///< the structure and the triangulation that carries it
   Skeleton skeleton;         ///< of that triangulation
   std::vector<hyperbolic::Cusp> cusps;
+  std::optional<verified::Certification> certified; ///< if it was asked for
+  std::string certificate;                          ///< the file that proves it; empty: there is none
+  int digits = 0;                                   ///< of the volume that were asked for
 
+  /// Yes, of one that was to be certified, only if it was.
   Verdict verdict() const;
 };
 

@@ -26,7 +26,9 @@ namespace tetrarch::workshop {
 class Tree {
 public:
   using Array = std::vector<Tree>;
-  using Object = std::vector<std::pair<std::string, Tree>>;
+  /// A class of its own: of a variant of vectors alone the library of GCC 12 destroys, when a copy of it
+  /// throws, what was never made.
+  struct Object : std::vector<std::pair<std::string, Tree>> {};
 
   Tree() = default; ///< null
   Tree(std::nullptr_t) {}

@@ -81,8 +81,7 @@ void add_files(std::set<std::string>& words, const std::string& begun) {
 }
 
 void add_census_names(std::set<std::string>& words) {
-  for (const int tetrahedra : catalogue::stored_tables())
-    for (const catalogue::Manifold& m : catalogue::require_table(tetrahedra)) words.insert(m.name);
+  for (const std::string& name : catalogue::stored_names()) words.insert(name);
 }
 
 void add_names(std::set<std::string>& words, const Values& values) {

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""tools/slow_tests: whatever a slow test may depend on makes it run again, and nothing else does.
+"""tools/noted_tests: whatever a long test may depend on makes it run again, and nothing else does.
 
-Usage: slow_tests_test.py BUILD_DIR SOURCE_DIR
+Usage: noted_tests_test.py BUILD_DIR SOURCE_DIR
 """
 import importlib.machinery
 import importlib.util
@@ -20,13 +20,13 @@ SOURCE = os.path.abspath(sys.argv[2])
 
 
 def load(path):
-    loader = importlib.machinery.SourceFileLoader("slow_tests", path)
-    module = importlib.util.module_from_spec(importlib.util.spec_from_loader("slow_tests", loader))
+    loader = importlib.machinery.SourceFileLoader("noted_tests", path)
+    module = importlib.util.module_from_spec(importlib.util.spec_from_loader("noted_tests", loader))
     loader.exec_module(module)
     return module
 
 
-slow = load(os.path.join(SOURCE, "tools/slow_tests"))
+notes = load(os.path.join(SOURCE, "tools/noted_tests"))
 
 # A small house. By the table of src/CMakeLists.txt, bundle uses core and mesh, which uses format, and algebra uses core alone.
 HOUSE = {
@@ -72,18 +72,17 @@ SETS_OFF = {
 SETS_OFF = {name: tests | PICTURES if name.startswith(("include/", "src/")) else tests for name, tests in SETS_OFF.items()}
 
 
-class House(unittest.TestCase):
-    """The small house in a folder of its own; all its slow tests have passed."""
+class Folder(unittest.TestCase):
+    """The small house in a folder of its own."""
+
+    FILES = HOUSE
 
     def setUp(self):
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
         self.root = folder.name
-        for name, content in HOUSE.items():
+        for name, content in self.FILES.items():
             self.write(name, content)
-        self.assertEqual(self.selected(), ALL)  # nothing is noted yet
-        slow.record(self.root, self.build(), [])
-        self.assertEqual(self.selected(), set())
 
     def build(self):
         return os.path.join(self.root, "build")
@@ -94,8 +93,18 @@ class House(unittest.TestCase):
         with open(path, "w", encoding="utf-8") as file:
             file.write(content)
 
+
+class House(Folder):
+    """All its slow tests have passed."""
+
+    def setUp(self):
+        super().setUp()
+        self.assertEqual(self.selected(), ALL)  # nothing is noted yet
+        notes.record(self.root, "slow", self.build(), [])
+        self.assertEqual(self.selected(), set())
+
     def selected(self):
-        must, left_out = slow.select(self.root, self.build())
+        must, left_out = notes.select(self.root, "slow", self.build())
         self.assertEqual(set(must) | set(left_out), ALL)
         self.assertEqual(set(must) & set(left_out), set())
         return set(must)
@@ -116,7 +125,7 @@ class House(unittest.TestCase):
 
     def test_a_new_include_in_a_test_brings_its_room(self):
         self.write("tests/support/laws.hpp", "#include <tetrarch/scene/e.hpp>\n")
-        slow.record(self.root, self.build(), [])
+        notes.record(self.root, "slow", self.build(), [])
         self.write("src/scene/e.cpp", "int more;")
         self.assertEqual(self.selected(), {"bundle.slow"} | PICTURES)
 
@@ -133,21 +142,60 @@ class House(unittest.TestCase):
 
     def test_what_passed_alone_is_noted_alone(self):
         self.write("src/core/a.cpp", "int more;")
-        slow.record(self.root, self.build(), ["core.slow"])
+        notes.record(self.root, "slow", self.build(), ["core.slow"])
         self.assertEqual(self.selected(), ALL - {"core.slow"})
+
+
+class UnderTheSanitizers(Folder):
+    """With a test of its program."""
+
+    FILES = {**HOUSE, "tests/tools/program_test.py": ""}
+    ROOMS = {"core", "algebra", "bundle", "slit", "scene"}
+    PROGRAM = {"program", "shell", "foreign", "schema"}
+
+    def setUp(self):
+        super().setUp()
+        self.assertEqual(self.selected(), self.ROOMS | self.PROGRAM)
+        notes.record(self.root, "sanitize", self.build(), [])
+        self.assertEqual(self.selected(), set())
+
+    def selected(self):
+        return set(notes.select(self.root, "sanitize", self.build())[0])
+
+    def test_a_changed_file_sets_off_its_rooms_and_the_program(self):
+        for name, expected in {"src/slit/d.cpp": {"slit", "algebra"} | self.PROGRAM, "tests/scene/e_test.cpp": {"scene"},
+                               "tests/tools/program_test.py": self.PROGRAM, "tools/tetrarch/main.cpp": self.PROGRAM,
+                               "src/core/a.cpp": self.ROOMS | self.PROGRAM, "README.md": set()}.items():
+            before = self.FILES[name]
+            self.write(name, before + "\n// more")
+            self.assertEqual(self.selected(), expected, name)
+            self.write(name, before)
+
+    def test_the_two_kinds_have_notes_of_their_own(self):
+        self.assertEqual(len(notes.select(self.root, "slow", self.build())[0]), len(ALL))
+
+    def test_each_commit_doubts_one_room_and_in_time_every_one(self):
+        git = ["git", "-C", self.root, "-c", "user.name=a", "-c", "user.email=a@example.org"]
+        subprocess.run([*git, "init", "--quiet"], check=True)
+        seen = []
+        for k in range(60):
+            subprocess.run([*git, "commit", "--quiet", "--allow-empty", "-m", str(k)], check=True)
+            seen.append(self.selected())
+            self.assertEqual(len(seen[-1]), 1)
+        self.assertEqual(set().union(*seen), self.ROOMS)  # (4/5)^60: all but surely
 
 
 class OurHouse(unittest.TestCase):
     def test_every_room_with_a_slow_test_is_in_the_build(self):
         with open(os.path.join(SOURCE, "tests/CMakeLists.txt"), encoding="utf-8") as file:
             listed = re.search(r"set\(rooms_with_slow_tests ([^)]*)\)", file.read()).group(1).split()
-        self.assertEqual(sorted(listed), sorted(slow.rooms_with_slow_tests(SOURCE, slow.table())))
+        self.assertEqual(sorted(listed), sorted(notes.rooms_with_slow_tests(SOURCE, notes.table())))
 
     def test_every_file_that_the_compiler_read_counts(self):
         """The second route: what Ninja noted when it built the tests of a room."""
-        known = slow.table()
-        for room in slow.rooms_with_slow_tests(SOURCE, known):
-            count = {os.path.join(SOURCE, name) for name in slow.names(SOURCE, room, known)}
+        known = notes.table()
+        for room in notes.rooms_with_slow_tests(SOURCE, known):
+            count = {os.path.join(SOURCE, name) for name in notes.names(SOURCE, room, known)}
             objects = [f"tests/CMakeFiles/test_{room}.dir/{room}/{name}.o"
                        for name in os.listdir(os.path.join(SOURCE, "tests", room)) if name.endswith(".cpp")]
             told = subprocess.run(["ninja", "-C", BUILD, "-t", "deps", *objects], capture_output=True, text=True, check=True)
@@ -160,5 +208,5 @@ class OurHouse(unittest.TestCase):
 
 if __name__ == "__main__":
     if not shutil.which("ninja") or not os.path.exists(os.path.join(BUILD, "build.ninja")):
-        sys.exit("slow_tests_test.py: needs a build made by Ninja")
+        sys.exit("noted_tests_test.py: needs a build made by Ninja")
     unittest.main(argv=sys.argv[:1])

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+/// The proof that cells are the canonical ones.
+///
+/// Given balls that hold the edge lengths of the structure, every tilt is a ball. A face whose tilt is
+/// certainly positive is convex, and faces that are convex everywhere are those of the canonical
+/// decomposition. A face that is only drawn, inside a cell, has tilt 0, which no ball can tell: its cell is
+/// proved flat, that is, its vertex vectors lie in one affine hyperplane, or 1 = (1, ..., 1) is in the column
+/// space of their Gram matrix G.
+///
+/// Symmetry proves that. Let sigma permute the cells and their corners so that walls go to walls, partners
+/// of walls to partners, and classes of edges to classes. Carry the subdivision of the cells back by sigma:
+/// it is another triangulation of the same manifold, and sigma carries the structure to one on it, since
+/// angles around classes add up as before. The structure is unique (Mostow, Prasad), so both are the same,
+/// and G is invariant under the group H of all sigma that keep the cell.
+///
+///   R  The matrix (sum of G_ij over i in orbit a, j in orbit b) is regular: then G x = 1 has a solution that
+///      is constant on orbits.
+///   F  All vectors that H fixes are multiples of one (the mean trace of H on R^{3,1} is 1), and for some j
+///      the means of G_ij over the orbits are equal since the lengths are the same ones: then the orbits'
+///      barycentres are equal, and the kernel of G is orthogonal to 1.
+///
+///   B  Where lengths of different classes look equal, they may be so without a symmetry that says it. Make
+///      them equal: a block of such classes gets one length and one equation, the sum of their curvatures.
+///      If that system has one zero near by, symmetries that keep blocks keep the zero, and dihedral angles
+///      are equal along the orbits of edges. If all classes of a block have equally many edges in each orbit,
+///      their curvatures are equal, and so they vanish: the zero is the structure. Then R or F, with the
+///      larger group.
+///
+/// More digits never prove flatness. Source: ours; Kojima 1990 for the cells.
+
+#include "tetrarch/canonical/cells.hpp"
+#include "tetrarch/hyperbolic/metric.hpp"
+#include "tetrarch/numeric/ball.hpp"
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace tetrarch::canonical {
+
+/// Which argument proved a cell.
+enum class Criterion {
+  tetrahedron, ///< nothing to prove
+  orbits,      ///< R
+  one_line,    ///< F
+  blocks,      ///< B
+};
+/// "tetrahedron", "R", "F", "B".
+const char* to_string(Criterion criterion);
+
+/// Whether cells were proved, and how.
+struct CellsProof {
+  bool certified = false;
+  std::string why_not;             ///< what is in doubt; empty if nothing is
+  std::vector<Criterion> criteria; ///< of each cell, by its first tetrahedron; of those proved
+  numeric::Ball least_tilt = 0;    ///< of the faces between cells
+};
+
+/// Solves for lengths that are equal in each block, with certainty, as `verified::solve_merged` does.
+using MergedSolver = std::function<std::optional<hyperbolic::Metric<numeric::Ball>>(
+    const Table<EdgeId, int>& block, double reach)>;
+
+/// `lengths` hold those of the structure; faces marked `flat` are inside cells. B needs a `solver`. O(n)
+/// where no face is flat; else the search for symmetries may take longer, within a budget.
+[[nodiscard]] CellsProof certify_cells(const Triangulation& tri, const Skeleton& skeleton,
+                                       const hyperbolic::Metric<numeric::Ball>& lengths,
+                                       const FlatFaces& flat, const MergedSolver& solver = {});
+
+} // namespace tetrarch::canonical

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+/// The second path: whether a certificate proves what it claims.
+///
+/// The certificate (verified/certificate.hpp) names a gluing, a point and a radius. This room believes
+/// nothing else. It shares no formula, no data structure and no arithmetic with the rooms that made it, and
+/// the build keeps it so: intervals are MPFI's, classes of edges and vertices are found anew, a tetrahedron
+/// is known by the triangles at its truncated corners, and derivatives are computed forward with the values:
+///
+///        side of the triangle at corner v, in the face v a b (w = minus the inner product, s = -dw/dl):
+///          cosh y = (w_ab + w_va w_vb) / (s_va s_vb)                     v hyperideal: law (4.3), extended
+///          y^2    = [a] / w_va^2 + [b] / w_vb^2 + 2 w_ab / (w_va w_vb)   v ideal; [a] is 1 if hyperideal,
+///          else 0
+///        its angles are the dihedral ones: law (4.2), or the Euclidean law of cosines
+///
+/// If the sides are real and every |cos| < 1, the tetrahedron exists. That the lengths in the box have one
+/// zero of all curvatures is Krawczyk's test. The volume comes from the angles by Ushijima's formula as it is
+/// printed (Lobachevsky's where all vertices are ideal), at the midpoint, and from there by Schlaefli's.
+/// Sources: Yin, section 4.3; Ushijima 2006; Moore-Kearfott-Cloud 2009, section 8.2.
+
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace tetrarch::checker {
+
+/// What came of it.
+struct Report {
+  bool accepted = false;
+  std::string why_not; ///< the first thing that is not proved; empty where all is
+  int tetrahedra = 0;
+  int edges = 0;
+  int cusps = 0;
+  bool orientable = false;
+  std::vector<int> links;     ///< Euler characteristics of the vertex links, increasing
+  std::string volume[2] = {}; ///< the claimed ends
+  std::string radius;         ///< as claimed
+  int bits = 0;               ///< as claimed; the check computes with 128 more
+};
+
+/// Throws InputError that names `source` for a text that is no certificate: broken JSON, a member that is
+/// missing, unknown or of a wrong type, a number out of range. Milliseconds for a handful of tetrahedra,
+/// seconds for a thousand digits. `still_wanted` is called now and then, and may throw to end the check.
+Report check(std::string_view text, const std::string& source,
+             const std::function<void()>& still_wanted = {});
+
+} // namespace tetrarch::checker

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "tetrarch/canonical/certify.hpp"
+
+#include "cell_shapes.hpp"
+#include "flatness.hpp"
+#include "merged.hpp"
+#include "tetrarch/canonical/decorated.hpp"
+
+#include <array>
+
+namespace tetrarch::canonical {
+
+using numeric::Ball;
+
+const char* to_string(Criterion criterion) {
+  constexpr std::array<const char*, 4> names{"tetrahedron", "R", "F", "B"};
+  return names[static_cast<std::size_t>(criterion)];
+}
+
+namespace {
+
+/// R or F for every cell; -1 if all are proved, else the first that is not.
+int prove_each(const Decorated<Ball>& m, const FlatFaces& flat, const CellShapes& shapes,
+               std::vector<Criterion>& criteria) {
+  criteria.clear();
+  for (int cell = 0; cell < static_cast<int>(shapes.cells.size()); ++cell) {
+    const auto criterion = prove_flat(m, flat, shapes, cell);
+    if (!criterion) return cell;
+    criteria.push_back(*criterion);
+  }
+  return -1;
+}
+
+/// With merged lengths: B for every cell that is no tetrahedron.
+bool prove_merged(const Triangulation& tri, const Skeleton& skeleton, const hyperbolic::Metric<Ball>& lengths,
+                  const FlatFaces& flat, const CellShapes& shapes, const MergedSolver& solver,
+                  std::vector<Criterion>& criteria) {
+  const auto merged = merge_equal_lengths(tri, skeleton, lengths, flat, shapes, solver);
+  if (!merged || prove_each(merged->m, flat, merged->shapes, criteria) >= 0) return false;
+  for (Criterion& criterion : criteria)
+    if (criterion != Criterion::tetrahedron) criterion = Criterion::blocks;
+  return true;
+}
+
+} // namespace
+
+CellsProof certify_cells(const Triangulation& tri, const Skeleton& skeleton,
+                         const hyperbolic::Metric<Ball>& lengths, const FlatFaces& flat,
+                         const MergedSolver& solver) {
+  CellsProof proof;
+  const Decorated<Ball> m = decorate(tri, skeleton, lengths);
+  bool any = false;
+  bool any_flat = false;
+  for (int t = 0; t < tri.size(); ++t)
+    for (int f = 0; f < 4; ++f) {
+      any_flat |= flat[t][f];
+      if (flat[t][f]) continue;
+      const Ball tilt = look_across(m, {t, f}).tilt;
+      if (!(tilt > 0)) {
+        proof.why_not =
+            "face " + std::to_string(f) + " of tetrahedron " + std::to_string(t) + " is not certainly convex";
+        return proof;
+      }
+      if (!any || tilt < proof.least_tilt) proof.least_tilt = tilt;
+      any = true;
+    }
+  if (!any_flat) {
+    proof.criteria.assign(static_cast<std::size_t>(tri.size()), Criterion::tetrahedron);
+    proof.certified = true;
+    return proof;
+  }
+  const CellShapes shapes = cell_shapes(tri, skeleton, flat);
+  const int doubtful = prove_each(m, flat, shapes, proof.criteria);
+  proof.certified =
+      doubtful < 0 || (solver && prove_merged(tri, skeleton, lengths, flat, shapes, solver, proof.criteria));
+  if (!proof.certified) {
+    proof.criteria.clear();
+    proof.why_not = "cell " + std::to_string(doubtful) + " is flat to all digits, which is no proof";
+  }
+  return proof;
+}
+
+} // namespace tetrarch::canonical

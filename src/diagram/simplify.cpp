@@ -1,0 +1,426 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "draft.hpp"
+
+#include "tetrarch/core/error.hpp"
+#include "tetrarch/diagram/moves.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <queue>
+
+namespace tetrarch::diagram {
+namespace {
+
+void require(bool holds, const char* what) {
+  if (!holds) throw PreconditionError(std::string("the region is no ") + what);
+}
+
+/// The diagram without some of its crossings and points of valence 2: the strands run on as if these were not
+/// there. Circles without any node left get a point.
+class Removal {
+public:
+  Removal(const Diagram& diagram, const std::vector<int>& nodes)
+      : diagram_(diagram), gone_(static_cast<std::size_t>(diagram.node_count()), false),
+        image_(static_cast<std::size_t>(diagram.dart_count()), -1) {
+    for (const int n : nodes) gone_[n] = true;
+  }
+
+  /// Two darts of one node change places.
+  void swap(int a, int b) { swapped_ = {a, b}; }
+
+  Diagram run() {
+    for (int n = 0; n < diagram_.node_count(); ++n) {
+      if (gone_[n]) continue;
+      const Node& node = diagram_.node(n);
+      int dart = draft_.add_node(static_cast<int>(node.darts.size()), node.crossing, node.over);
+      for (const int d : node.darts) image_[swapped(d)] = dart++;
+    }
+    std::vector<bool> passed(image_.size(), false);
+    for (int d = 0; d < diagram_.dart_count(); ++d)
+      if (image_[d] >= 0) draft_.join(image_[d], image_[far_end(d, passed)]);
+    for (int d = 0; d < diagram_.dart_count(); ++d) {
+      if (image_[d] >= 0 || passed[d]) continue;
+      for (int at = d; !passed[at]; at = onward(diagram_.opposite(at)))
+        passed[at] = passed[diagram_.opposite(at)] = true;
+      const int first = draft_.add_node(2, false, 0);
+      draft_.join(first, first + 1);
+    }
+    return std::move(draft_).finished();
+  }
+
+private:
+  int swapped(int dart) const {
+    if (dart == swapped_.first) return swapped_.second;
+    return dart == swapped_.second ? swapped_.first : dart;
+  }
+  int onward(int dart) const { return diagram_.turned(dart, diagram_.at_crossing(dart) ? 2 : 1); }
+
+  int far_end(int dart, std::vector<bool>& passed) const {
+    int end = diagram_.opposite(dart);
+    while (image_[end] < 0) {
+      passed[end] = true;
+      end = onward(end);
+      passed[end] = true;
+      end = diagram_.opposite(end);
+    }
+    return end;
+  }
+
+  const Diagram& diagram_;
+  std::vector<bool> gone_;
+  std::vector<int> image_; ///< of each dart; -1: its crossing is gone
+  std::pair<int, int> swapped_{-1, -1};
+  Draft draft_;
+};
+
+bool is_vertex(const Diagram& diagram, int dart) {
+  return !diagram.at_crossing(dart) && diagram.node(diagram.node_of(dart)).darts.size() > 2;
+}
+
+/// A way from a node on that passes over all it meets, or under all: it starts at a dart and ends at the
+/// other one, neither of them on one of the crossings between.
+struct Strand {
+  int start = -1;
+  int end = -1;
+  bool over = true;
+  std::vector<int> entered; ///< the dart by which each crossing is entered
+};
+
+/// The longest such way that starts at the dart; nothing if it runs back into its own crossings.
+std::optional<Strand> strand_from(const Diagram& diagram, int dart, bool over) {
+  Strand strand{dart, -1, over, {}};
+  int end = diagram.opposite(dart);
+  while (diagram.at_crossing(end) && diagram.is_over(end) == over) {
+    if (end == dart) return std::nullopt; // a circle
+    strand.entered.push_back(end);
+    end = diagram.opposite(diagram.turned(end, 2));
+    if (strand.entered.size() > static_cast<std::size_t>(diagram.dart_count())) return std::nullopt;
+  }
+  strand.end = end;
+  for (const int d : strand.entered)
+    if (diagram.node_of(d) == diagram.node_of(dart) || diagram.node_of(d) == diagram.node_of(end))
+      return std::nullopt;
+  return strand;
+}
+
+/// Lays a strand along the shortest way through the regions that are there without it.
+class Rerouting {
+public:
+  Rerouting(const Diagram& diagram, const Strand& strand) : diagram_(diagram), strand_(strand) {}
+
+  /// Nothing if no way is shorter.
+  std::optional<Diagram> run() {
+    if (!lift()) return std::nullopt;
+    number_regions();
+    const auto way = shortest_way();
+    if (!way) return std::nullopt;
+    return laid(*way);
+  }
+
+private:
+  /// Takes the strand away: what it crossed is joined, its two ends are left. False if a circle would have
+  /// nothing left but itself.
+  bool lift() {
+    draft_ = Draft(diagram_);
+    lifted_.assign(static_cast<std::size_t>(diagram_.dart_count()), false);
+    lifted_[strand_.start] = lifted_[strand_.end] = true;
+    for (const int d : strand_.entered) {
+      for (int k = 0; k < 4; ++k) lifted_[diagram_.turned(d, k)] = true;
+      // Others may have been joined to its darts before: follow what they are now.
+      const int right = draft_.opposite[diagram_.turned(d, 1)];
+      const int left = draft_.opposite[diagram_.turned(d, 3)];
+      if (right == diagram_.turned(d, 3)) return false;
+      draft_.join(right, left);
+    }
+    return true;
+  }
+
+  /// The next dart round its node, clockwise, that is not lifted.
+  int turned_right(int dart) const {
+    int d = diagram_.turned(dart, -1);
+    while (lifted_[d] && d != dart) d = diagram_.turned(d, -1);
+    return d;
+  }
+  /// Darts that have the corners to their left which the strand may start from: at a crossing its own. From a
+  /// vertex it may rise between any two edges, since it passes over (or under) them all.
+  std::vector<int> corners(int lifted) const {
+    std::vector<int> darts;
+    for (int d = turned_right(lifted); !lifted_[d]; d = turned_right(d)) {
+      darts.push_back(d);
+      if (diagram_.at_crossing(lifted) || turned_right(d) == darts.front()) break;
+    }
+    return darts;
+  }
+
+  void number_regions() {
+    region_.assign(static_cast<std::size_t>(diagram_.dart_count()), -1);
+    for (int first = 0; first < diagram_.dart_count(); ++first) {
+      if (lifted_[first] || region_[first] >= 0) continue;
+      for (int d = first; region_[d] < 0; d = turned_right(draft_.opposite[d])) region_[d] = regions_;
+      ++regions_;
+    }
+  }
+
+  /// Corners to start and to end at, and darts whose arcs are crossed from their left to their right.
+  struct Way {
+    int first = -1;
+    int last = -1;
+    std::vector<int> darts;
+  };
+
+  std::optional<Way> shortest_way() const {
+    std::vector<std::vector<int>> darts(static_cast<std::size_t>(regions_));
+    for (int d = 0; d < diagram_.dart_count(); ++d)
+      if (!lifted_[d]) darts[region_[d]].push_back(d);
+    std::vector<int> came_by(static_cast<std::size_t>(regions_), -1); // a start region: its corner
+    std::vector<int> steps(static_cast<std::size_t>(regions_), -1);
+    std::queue<int> front;
+    for (const int d : corners(strand_.start))
+      if (int& r = steps[region_[d]]; r < 0) {
+        r = 0;
+        came_by[region_[d]] = d;
+        front.push(region_[d]);
+      }
+    while (!front.empty()) {
+      const int r = front.front();
+      front.pop();
+      for (const int d : darts[r]) {
+        const int beyond = region_[draft_.opposite[d]];
+        if (steps[beyond] >= 0) continue;
+        steps[beyond] = steps[r] + 1;
+        came_by[beyond] = d;
+        front.push(beyond);
+      }
+    }
+    Way way;
+    int best = static_cast<int>(strand_.entered.size());
+    for (const int d : corners(strand_.end))
+      if (const int far = steps[region_[d]]; far >= 0 && far < best) {
+        best = far;
+        way.last = d;
+      }
+    if (way.last < 0) return std::nullopt; // none, or another part
+    int r = region_[way.last];
+    for (; steps[r] > 0; r = region_[came_by[r]]) way.darts.push_back(came_by[r]);
+    way.first = came_by[r];
+    std::reverse(way.darts.begin(), way.darts.end());
+    return way;
+  }
+
+  /// Moves an end of the strand to the corner to the left of a dart.
+  void place(int end, int corner) {
+    std::vector<int>& darts = draft_.nodes[diagram_.node_of(end)].darts;
+    darts.erase(std::find(darts.begin(), darts.end(), end));
+    darts.insert(std::find(darts.begin(), darts.end(), corner) + 1, end);
+  }
+
+  Diagram laid(const Way& way) {
+    if (!diagram_.at_crossing(strand_.start)) place(strand_.start, way.first);
+    if (!diagram_.at_crossing(strand_.end)) place(strand_.end, way.last);
+    int loose = strand_.start;
+    for (const int d : way.darts) {
+      // Darts: back along the strand, to the right, on, to the left. The strand comes from the left of d, so
+      // that the node of d is to its right.
+      const int first = draft_.add_node(4, true, strand_.over ? 0 : 1);
+      const int beyond = draft_.opposite[d];
+      draft_.join(loose, first);
+      draft_.join(d, first + 1);
+      draft_.join(beyond, first + 3);
+      loose = first + 2;
+    }
+    draft_.join(loose, strand_.end);
+    return without_lifted();
+  }
+
+  /// Drops the crossings that the strand had.
+  Diagram without_lifted() const {
+    std::vector<bool> gone(draft_.nodes.size(), false);
+    for (const int d : strand_.entered) gone[diagram_.node_of(d)] = true;
+    Draft out;
+    std::vector<int> image(draft_.opposite.size(), -1);
+    for (std::size_t n = 0; n < draft_.nodes.size(); ++n) {
+      if (gone[n]) continue;
+      const Node& node = draft_.nodes[n];
+      int dart = out.add_node(static_cast<int>(node.darts.size()), node.crossing, node.over);
+      for (const int d : node.darts) image[d] = dart++;
+    }
+    for (std::size_t d = 0; d < image.size(); ++d)
+      if (image[d] >= 0) out.join(image[d], image[draft_.opposite[d]]);
+    return std::move(out).finished();
+  }
+
+  const Diagram& diagram_;
+  const Strand& strand_;
+  Draft draft_;
+  std::vector<bool> lifted_;
+  std::vector<int> region_;
+  int regions_ = 0;
+};
+
+std::optional<Diagram> with_shorter_strand(const Diagram& diagram, const Progress& progress) {
+  for (int d = 0; d < diagram.dart_count(); ++d)
+    for (const bool over : {true, false}) {
+      // It starts where it cannot be longer.
+      if (diagram.at_crossing(d) && diagram.is_over(d) == over) continue;
+      const std::optional<Strand> strand = strand_from(diagram, d, over);
+      if (!strand || strand->entered.empty()) continue;
+      progress.step("crossings removed", -1);
+      if (auto shorter = Rerouting(diagram, *strand).run()) return shorter;
+    }
+  return std::nullopt;
+}
+
+/// A circle that passes over (or under) all that it crosses lies apart.
+std::optional<Diagram> with_circle_apart(const Diagram& diagram) {
+  for (int d = 0; d < diagram.dart_count(); ++d) {
+    if (!diagram.at_crossing(d)) continue;
+    std::vector<int> crossings;
+    int at = d;
+    do {
+      crossings.push_back(diagram.node_of(at));
+      at = diagram.turned(diagram.opposite(at), 2);
+    } while (at != d && diagram.at_crossing(at) && diagram.is_over(at) == diagram.is_over(d));
+    if (at == d) return Removal(diagram, crossings).run();
+  }
+  return std::nullopt;
+}
+
+} // namespace
+
+bool is_kink(const Diagram& diagram, int dart) {
+  return diagram.at_crossing(dart) && diagram.next_on_left(dart) == dart;
+}
+
+bool is_poke(const Diagram& diagram, int dart) {
+  const int next = diagram.next_on_left(dart);
+  return next != dart && diagram.next_on_left(next) == dart && diagram.at_crossing(dart) &&
+         diagram.at_crossing(next) && diagram.node_of(dart) != diagram.node_of(next) &&
+         diagram.is_over(dart) == diagram.is_over(diagram.opposite(dart));
+}
+
+bool is_triangle(const Diagram& diagram, int dart) {
+  const int second = diagram.next_on_left(dart);
+  const int third = diagram.next_on_left(second);
+  if (diagram.next_on_left(third) != dart) return false;
+  const std::array<int, 3> darts{dart, second, third};
+  bool top = false;
+  bool bottom = false;
+  for (const int d : darts) {
+    if (!diagram.at_crossing(d)) return false;
+    const int end = diagram.opposite(d);
+    top |= diagram.is_over(d) && diagram.is_over(end);
+    bottom |= !diagram.is_over(d) && !diagram.is_over(end);
+  }
+  const int a = diagram.node_of(dart);
+  const int b = diagram.node_of(second);
+  const int c = diagram.node_of(third);
+  return top && bottom && a != b && b != c && c != a;
+}
+
+Diagram without_kink(const Diagram& diagram, int dart) {
+  require(is_kink(diagram, dart), "kink");
+  // The loop is passed over: what is left are the two other darts, which the removal joins through it.
+  return Removal(diagram, {diagram.node_of(dart)}).run();
+}
+
+Diagram without_poke(const Diagram& diagram, int dart) {
+  require(is_poke(diagram, dart), "poke");
+  return Removal(diagram, {diagram.node_of(dart), diagram.node_of(diagram.opposite(dart))}).run();
+}
+
+bool is_twist(const Diagram& diagram, int dart) {
+  const int next = diagram.next_on_left(dart);
+  if (next == dart || diagram.next_on_left(next) != dart) return false;
+  return (is_vertex(diagram, dart) && diagram.at_crossing(next)) ||
+         (is_vertex(diagram, next) && diagram.at_crossing(dart));
+}
+
+Diagram without_twist(const Diagram& diagram, int dart) {
+  require(is_twist(diagram, dart), "twist");
+  const int out = is_vertex(diagram, dart) ? dart : diagram.next_on_left(dart);
+  const int back = diagram.next_on_left(out);
+  Removal removal(diagram, {diagram.node_of(back)});
+  removal.swap(out, diagram.opposite(back));
+  return removal.run();
+}
+
+Diagram with_twist(const Diagram& diagram, int dart, bool over) {
+  if (!is_vertex(diagram, dart)) throw PreconditionError("a twist needs a vertex of valence 3 or more");
+  const int next = diagram.turned(dart, 1);
+  Draft draft(diagram);
+  // The vertex lies west of the crossing, `dart` leaves it to the southeast, `next` to the northeast. Darts
+  // of the crossing: northwest, southwest, southeast, northeast. What came from the southeast comes from
+  // there.
+  const int near = draft.add_node(4, true, over ? 0 : 1);
+  const int end = diagram.opposite(dart);
+  const int next_end = diagram.opposite(next);
+  draft.join(dart, near + 1);
+  draft.join(next, near);
+  if (end == next) {
+    draft.join(near + 3, near + 2);
+  } else {
+    draft.join(near + 2, end);
+    draft.join(near + 3, next_end);
+  }
+  return std::move(draft).finished();
+}
+
+Diagram with_triangle_turned(const Diagram& diagram, int dart) {
+  require(is_triangle(diagram, dart), "triangle of three levels");
+  // A strand comes from outside to a first crossing, runs along a side and leaves by the second; then it
+  // meets the second first. What came to the outer dart of the one now comes to the inner dart of the other.
+  std::vector<std::pair<int, int>> moved;
+  std::vector<std::pair<int, int>> sides;
+  for (int k = 0, d = dart; k < 3; ++k, d = diagram.next_on_left(d)) {
+    const int end = diagram.opposite(d);
+    const int out = diagram.turned(d, 2);
+    const int end_out = diagram.turned(end, 2);
+    moved.emplace_back(out, end);
+    moved.emplace_back(end_out, d);
+    sides.emplace_back(out, end_out);
+  }
+  const auto image = [&moved](int d) {
+    for (const auto& [from, to] : moved)
+      if (from == d) return to;
+    return d;
+  };
+  Draft draft(diagram);
+  for (const auto& [from, to] : moved) draft.join(to, image(diagram.opposite(from)));
+  for (const auto& [a, b] : sides) draft.join(a, b);
+  return std::move(draft).finished();
+}
+
+Diagram without_points(const Diagram& diagram) {
+  std::vector<int> points;
+  for (int n = 0; n < diagram.node_count(); ++n)
+    if (!diagram.node(n).crossing && diagram.node(n).darts.size() == 2) points.push_back(n);
+  return Removal(diagram, points).run();
+}
+
+Diagram simplified(const Diagram& diagram, const Progress& progress) {
+  Diagram best = without_points(diagram);
+  for (bool again = true; again;) {
+    again = false;
+    progress.step("crossings removed", -1);
+    for (int d = 0; d < best.dart_count() && !again; ++d) {
+      again = true;
+      if (is_kink(best, d))
+        best = without_kink(best, d);
+      else if (is_poke(best, d))
+        best = without_poke(best, d);
+      else if (is_twist(best, d))
+        best = without_twist(best, d);
+      else
+        again = false;
+    }
+    if (again) continue;
+    std::optional<Diagram> shorter = with_circle_apart(best);
+    if (!shorter) shorter = with_shorter_strand(best, progress);
+    if (!shorter) break;
+    best = std::move(*shorter);
+    again = true;
+  }
+  return best;
+}
+
+} // namespace tetrarch::diagram

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "edge_system.hpp"
+
+#include "tetrarch/hyperbolic/volume.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <utility>
+
+namespace tetrarch::verified {
+namespace {
+
+using numeric::Ball;
+
+/// Arithmetic modulo a prime: what is independent there is independent.
+constexpr std::int64_t prime = 2147483647;
+
+std::int64_t inverse(std::int64_t x) {
+  std::int64_t result = 1;
+  for (std::int64_t power = prime - 2; power > 0; power /= 2, x = x * x % prime)
+    if (power % 2 == 1) result = result * x % prime;
+  return result;
+}
+
+} // namespace
+
+EdgeSystem::EdgeSystem(const Skeleton& skeleton)
+    : skeleton_(skeleton), types_(hyperbolic::vertex_types(skeleton)), place_(skeleton.edge_count(), 0) {
+  choose_fixed();
+  for (const EdgeId e : fixed_) place_[e] = -1;
+  for (int& place : place_)
+    if (place == 0) place = unknowns_++;
+}
+
+EdgeSystem::EdgeSystem(const Skeleton& skeleton, const Table<EdgeId, int>& block)
+    : skeleton_(skeleton), types_(hyperbolic::vertex_types(skeleton)), place_(block) {
+  choose_fixed();
+  fixed_.clear();
+  for (const int place : place_) unknowns_ = std::max(unknowns_, place + 1);
+}
+
+/// Elimination on the columns (ends of e at each cusp), edge by edge: an edge is taken if its column is
+/// independent of those taken before.
+void EdgeSystem::choose_fixed() {
+  std::vector<int> number(static_cast<std::size_t>(skeleton_.vertex_count()), -1);
+  for (const VertexId v : all<VertexId>(skeleton_.vertex_count()))
+    if (types_[v] == hyperbolic::VertexType::ideal) number[v.value] = cusps_++;
+  std::vector<std::pair<int, std::vector<std::int64_t>>> taken; // leading place, and the column with 1 there
+  for (const EdgeId e : all<EdgeId>(skeleton_.edge_count())) {
+    if (static_cast<int>(taken.size()) == cusps_) return;
+    std::vector<std::int64_t> column(static_cast<std::size_t>(cusps_), 0);
+    const auto [a, b] = skeleton_.ends(e);
+    for (const VertexId v : {a, b})
+      if (number[v.value] >= 0) ++column[number[v.value]];
+    for (const auto& [lead, other] : taken) {
+      const std::int64_t times = column[lead];
+      for (int c = 0; c < cusps_; ++c) column[c] = (column[c] + (prime - times) * other[c]) % prime;
+    }
+    int lead = 0;
+    while (lead < cusps_ && column[lead] == 0) ++lead;
+    if (lead == cusps_) continue;
+    const std::int64_t scale = inverse(column[lead]);
+    for (std::int64_t& entry : column) entry = entry * scale % prime;
+    taken.emplace_back(lead, std::move(column));
+    fixed_.push_back(e);
+  }
+}
+
+template <class Scalar>
+std::optional<hyperbolic::Metric<Scalar>>
+EdgeSystem::curvature(const hyperbolic::Metric<Scalar>& lengths) const {
+  hyperbolic::Metric<Scalar> k(skeleton_.edge_count(), Scalar(2 * numeric::pi<Scalar>()));
+  for (int t = 0; t < skeleton_.tetrahedron_count(); ++t) {
+    const auto angles = hyperbolic::dihedral_angles(hyperbolic::lengths_at(skeleton_, lengths, t),
+                                                    hyperbolic::types_at(skeleton_, types_, t));
+    if (!angles) return std::nullopt;
+    for (int e = 0; e < 6; ++e) k[skeleton_.edge({t, e})] -= (*angles)[e];
+  }
+  return k;
+}
+
+template <class Scalar>
+std::vector<Scalar> EdgeSystem::equations(const hyperbolic::Metric<Scalar>& curvature) const {
+  std::vector<Scalar> left(static_cast<std::size_t>(unknowns_), Scalar(0));
+  for (const EdgeId e : all<EdgeId>(curvature.size()))
+    if (place_[e] >= 0) left[place_[e]] += curvature[e];
+  return left;
+}
+
+template <class Scalar>
+SquareMatrix<Scalar> EdgeSystem::hessian(const hyperbolic::Metric<Scalar>& lengths) const {
+  SquareMatrix<Scalar> h(unknowns_);
+  for (int t = 0; t < skeleton_.tetrahedron_count(); ++t) {
+    const auto slopes = hyperbolic::angle_jacobian(hyperbolic::lengths_at(skeleton_, lengths, t),
+                                                   hyperbolic::types_at(skeleton_, types_, t));
+    for (int e = 0; e < 6; ++e) {
+      const int row = place_[skeleton_.edge({t, e})];
+      for (int f = 0; f < 6; ++f) {
+        const int column = place_[skeleton_.edge({t, f})];
+        if (row >= 0 && column >= 0) h(row, column) += slopes[e][f];
+      }
+    }
+  }
+  return h;
+}
+
+std::optional<Ball> EdgeSystem::volume(const hyperbolic::Metric<Ball>& lengths,
+                                       const Progress& progress) const {
+  Ball sum = 0;
+  for (int t = 0; t < skeleton_.tetrahedron_count(); ++t) {
+    progress.step("measuring");
+    const auto part = hyperbolic::volume(hyperbolic::lengths_at(skeleton_, lengths, t),
+                                         hyperbolic::types_at(skeleton_, types_, t));
+    if (!part) return std::nullopt;
+    sum += part->value;
+  }
+  return sum;
+}
+
+template std::optional<hyperbolic::Metric<Ball>> EdgeSystem::curvature(const hyperbolic::Metric<Ball>&) const;
+template std::vector<Ball> EdgeSystem::equations(const hyperbolic::Metric<Ball>&) const;
+template SquareMatrix<double> EdgeSystem::hessian(const hyperbolic::Metric<double>&) const;
+template SquareMatrix<Ball> EdgeSystem::hessian(const hyperbolic::Metric<Ball>&) const;
+
+} // namespace tetrarch::verified

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+/// The equations of a structure in balls, and which of them are left where there are cusps.
+
+#include "tetrarch/core/progress.hpp"
+#include "tetrarch/hyperbolic/metric.hpp"
+#include "tetrarch/numeric/ball.hpp"
+
+#include <optional>
+#include <vector>
+
+namespace tetrarch::verified {
+
+/// Square, row by row.
+template <class Scalar>
+struct SquareMatrix {
+  int size = 0;
+  std::vector<Scalar> entries;
+
+  explicit SquareMatrix(int n) : size(n), entries(static_cast<std::size_t>(n) * n, Scalar(0)) {}
+  Scalar& operator()(int row, int column) { return entries[static_cast<std::size_t>(row) * size + column]; }
+  const Scalar& operator()(int row, int column) const {
+    return entries[static_cast<std::size_t>(row) * size + column];
+  }
+};
+
+/// A closed gluing without finite vertices. Each unknown is the length of one edge, or of several that are to
+/// be equal; its equation is the sum of their curvatures.
+class EdgeSystem {
+public:
+  explicit EdgeSystem(const Skeleton& skeleton);
+  /// One unknown for each block of edges: those of equal number, from 0 on. No length is fixed.
+  EdgeSystem(const Skeleton& skeleton, const Table<EdgeId, int>& block);
+
+  const std::vector<EdgeId>& fixed() const { return fixed_; }
+  int unknowns() const { return unknowns_; }
+  /// The unknown that is the length of this edge; -1 where it is fixed.
+  int unknown(EdgeId e) const { return place_[e]; }
+  bool has_cusps() const { return cusps_ > 0; }
+  /// The cusps' identities are independent; it has never been otherwise.
+  bool is_square() const { return static_cast<int>(fixed_.size()) == cusps_; }
+
+  /// K of every edge; nothing unless every tetrahedron exists at all of these lengths.
+  template <class Scalar>
+  std::optional<hyperbolic::Metric<Scalar>> curvature(const hyperbolic::Metric<Scalar>& lengths) const;
+  /// The left sides: curvatures of the edges that are not fixed, those of one unknown added up.
+  template <class Scalar>
+  std::vector<Scalar> equations(const hyperbolic::Metric<Scalar>& curvature) const;
+  /// Minus the derivatives of the left sides by the unknowns, of tetrahedra that exist.
+  template <class Scalar>
+  SquareMatrix<Scalar> hessian(const hyperbolic::Metric<Scalar>& lengths) const;
+  /// The sum of the tetrahedra's volumes; nothing unless they exist.
+  std::optional<numeric::Ball> volume(const hyperbolic::Metric<numeric::Ball>& lengths,
+                                      const Progress& progress) const;
+
+private:
+  void choose_fixed();
+
+  const Skeleton& skeleton_;
+  Table<VertexId, hyperbolic::VertexType> types_;
+  int cusps_ = 0;
+  std::vector<EdgeId> fixed_;
+  int unknowns_ = 0;
+  Table<EdgeId, int> place_;
+};
+
+} // namespace tetrarch::verified

@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "tetrarch/workshop/diagram.hpp"
+
+#include "tetrarch/core/error.hpp"
+#include "tetrarch/diagram/curve.hpp"
+#include "tetrarch/diagram/exterior.hpp"
+#include "tetrarch/diagram/names.hpp"
+#include "tetrarch/diagram/read.hpp"
+#include "tetrarch/diagram/write.hpp"
+#include "tetrarch/format/text.hpp"
+#include "tetrarch/hyperbolic/search.hpp"
+#include "tetrarch/workshop/text.hpp"
+
+#include <algorithm>
+
+namespace tetrarch::workshop {
+namespace {
+
+/// Every arc passes over at one of its crossings and under at the other.
+bool is_alternating(const diagram::Diagram& diagram) {
+  for (int d = 0; d < diagram.dart_count(); ++d) {
+    const int e = diagram.opposite(d);
+    if (diagram.at_crossing(d) && diagram.at_crossing(e) && diagram.is_over(d) == diagram.is_over(e))
+      return false;
+  }
+  return true;
+}
+
+bool has_vertices(const diagram::Diagram& diagram) {
+  return std::any_of(diagram.nodes().begin(), diagram.nodes().end(),
+                     [](const diagram::Node& n) { return !n.crossing && n.darts.size() > 2; });
+}
+
+/// Half of the double's structure; of a link that of the exterior, whose meridians are parabolic anyway.
+Exterior::Parabolic parabolic(const diagram::Diagram& diagram, const Exterior& x,
+                              const ExteriorOptions& options, const Progress& progress) {
+  const bool halves = has_vertices(diagram);
+  const Triangulation tri =
+      halves && !x.is_double ? diagram::doubled_exterior(diagram, {options.seed}, progress) : x.triangulation;
+  hyperbolic::SearchOptions how;
+  how.seed = options.seed;
+  const hyperbolic::Search found = hyperbolic::find_structure(tri, how, progress);
+  const bool good = found.structure.outcome == hyperbolic::Outcome::geometric && found.filled_spheres == 0;
+  return {good, good ? found.structure.volume / (halves ? 2 : 1) : 0,
+          (halves ? "half of the double: " : "") + describe(found)};
+}
+
+Tree meridians_tree(const Exterior& x) {
+  Tree list = Tree::array();
+  for (const int g : x.wirtinger.meridians)
+    list.push_back(algebra::word_str({g + 1}, x.wirtinger.group.generators));
+  return list;
+}
+
+Tree wirtinger_tree(const Exterior& x) {
+  const algebra::Presentation& group = x.wirtinger.group;
+  Tree tree{{"generators", Tree::array()}, {"relators", Tree::array()}};
+  for (int g = 0; g < group.generators; ++g)
+    tree["generators"].push_back(algebra::word_str({g + 1}, group.generators));
+  for (const algebra::Word& r : group.relators)
+    tree["relators"].push_back(algebra::word_str(r, group.generators));
+  return tree;
+}
+
+} // namespace
+
+diagram::Diagram open_diagram(const std::string& what, const OpenOptions& options, std::uint64_t seed,
+                              const Progress& progress) {
+  if (diagram::looks_like_diagram(what)) return diagram::read_diagram(what, "the code given");
+  if (!is_file(what, options.locate))
+    if (std::optional<diagram::Diagram> named = diagram::named_diagram(what)) return std::move(*named);
+  if (!is_file(what, options.locate))
+    throw InputError(
+        in_quotes(what) +
+        " is no file, no knot of Rolfsen's table and no code of a diagram (expected embedding, PD, X[...], "
+        "braid, DT or Gauss)");
+  const std::string source = format::source_name(what);
+  const std::string text = format::read_file(located(what, options.locate));
+  if (diagram::looks_like_diagram(text) || !diagram::looks_like_curve(text))
+    return diagram::read_diagram(text, source);
+  const diagram::Curve curve = diagram::read_curve(text, source);
+  // Whether it meets itself is asked of the curve as it is given.
+  const diagram::Diagram whole = diagram::project(curve, source, {seed, 1}, progress);
+  const diagram::Curve shorter = diagram::reduced(curve, progress);
+  diagram::Diagram small = diagram::project(shorter, source, {seed}, progress);
+  return diagram::crossing_count(small) <= diagram::crossing_count(whole) ? small : whole;
+}
+
+DiagramFacts facts(const diagram::Diagram& diagram) {
+  DiagramFacts found;
+  found.code = diagram::planar_diagram_code(diagram);
+  found.crossings = diagram::crossing_count(diagram);
+  found.vertices = diagram::vertex_count(diagram);
+  found.edges = diagram::edges(diagram).count;
+  found.components = diagram::components(diagram).count;
+  found.parts = diagram::parts(diagram).count;
+  // The outer regions of separate parts are one.
+  found.regions = diagram::regions(diagram).count - found.parts + 1;
+  found.alternating = is_alternating(diagram);
+  return found;
+}
+
+Rows rows_of(const DiagramFacts& f) {
+  Rows rows{{"crossings", std::to_string(f.crossings)}};
+  if (f.vertices > 0) {
+    rows.emplace_back("vertices", std::to_string(f.vertices));
+    rows.emplace_back("edges", std::to_string(f.edges));
+  }
+  rows.emplace_back("components", std::to_string(f.components));
+  if (f.parts > 1) rows.emplace_back("parts", std::to_string(f.parts));
+  rows.emplace_back("regions", std::to_string(f.regions));
+  rows.emplace_back("alternating", f.alternating ? "yes" : "no");
+  return rows;
+}
+
+Exterior exterior(const diagram::Diagram& diagram, const ExteriorOptions& options, const Progress& progress) {
+  if (options.doubled && !has_vertices(diagram))
+    throw InputError("there is no vertex of valence 3 or more, along whose sphere a double could be glued");
+  Exterior x;
+  x.diagram = facts(diagram);
+  x.wirtinger = diagram::wirtinger(diagram);
+  x.is_double = options.doubled;
+  x.triangulation = options.doubled ? diagram::doubled_exterior(diagram, {options.seed}, progress)
+                                    : diagram::exterior(diagram, {options.seed}, progress);
+  if (options.parabolic) x.parabolic = parabolic(diagram, x, options, progress);
+  x.info = info(x.triangulation, options.name, false, progress);
+  return x;
+}
+
+Rows rows_of(const Exterior& x, const std::string& signature) {
+  Rows rows{{"crossings", std::to_string(x.diagram.crossings)},
+            {"components", std::to_string(x.diagram.components)}};
+  const Rows info = rows_of(x.info, signature);
+  rows.insert(rows.end(), info.begin(), info.end());
+  if (x.parabolic)
+    rows.insert(rows.end(), {{"parabolic", x.parabolic->found ? "volume " + fixed(x.parabolic->volume, 12)
+                                                              : std::string("no structure found")},
+                             {"", x.parabolic->how}});
+  return rows;
+}
+
+template <>
+const FieldList<DiagramFacts>& fields_of<DiagramFacts>() {
+  using F = const DiagramFacts&;
+  static const FieldList<DiagramFacts> fields{
+      {{"crossings", "", "number of crossings"}, [](F f) -> Tree { return f.crossings; }},
+      {{"vertices", "", "number of vertices of the graph whose valence is not 2"},
+       [](F f) -> Tree { return f.vertices; }},
+      {{"edges", "", "number of edges of the graph; a component of a link is one"},
+       [](F f) -> Tree { return f.edges; }},
+      {{"components", "", "number of connected components of the graph or link"},
+       [](F f) -> Tree { return f.components; }},
+      {{"parts", "", "number of connected components of the plane picture"},
+       [](F f) -> Tree { return f.parts; }},
+      {{"regions", "", "number of regions of the plane"}, [](F f) -> Tree { return f.regions; }},
+      {{"alternating", "",
+        "whether each arc between two crossings passes over at one and under at the other"},
+       [](F f) -> Tree { return f.alternating; }},
+      {{"code", "", "planar diagram code"}, [](F f) -> Tree { return f.code; }}};
+  return fields;
+}
+
+template <>
+const FieldList<Exterior>& fields_of<Exterior>() {
+  using X = const Exterior&;
+  static const FieldList<Exterior> fields{
+      {{"crossings", "", "number of crossings of the diagram"},
+       [](X x) -> Tree { return x.diagram.crossings; }},
+      {{"components", "", "number of connected components of the graph or link"},
+       [](X x) -> Tree { return x.diagram.components; }},
+      {{"meridians", "", "of each edge of the graph its meridian, a word in the group \"wirtinger\""},
+       meridians_tree},
+      {{"parabolic_volume", "curvature -1",
+        "volume of the structure whose meridians are parabolic, with totally geodesic spheres at the "
+        "vertices; "
+        "null where none was found"},
+       [](X x) { return x.parabolic->found ? Tree(x.parabolic->volume) : Tree(); },
+       [](X x) { return x.parabolic.has_value(); }},
+      {{"wirtinger", "", "the group as the diagram gives it; generators are meridians"}, wirtinger_tree}};
+  return fields;
+}
+
+template <>
+Tree tree_of<Exterior>(const Exterior& x) {
+  Tree tree = tree_of(x.info);
+  for (const Field<Exterior>& field : fields_of<Exterior>())
+    if (field.present == nullptr || field.present(x)) tree[field.name] = field.value(x);
+  return tree;
+}
+
+template <>
+std::vector<FieldNote> notes_of<Exterior>() {
+  std::vector<FieldNote> notes = notes_of<Info>();
+  notes.insert(notes.end(), fields_of<Exterior>().begin(), fields_of<Exterior>().end());
+  return notes;
+}
+
+} // namespace tetrarch::workshop

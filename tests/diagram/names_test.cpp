@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "tetrarch/diagram/names.hpp"
+
+#include "tetrarch/diagram/exterior.hpp"
+#include "tetrarch/diagram/moves.hpp"
+#include "tetrarch/hyperbolic/search.hpp"
+#include "tetrarch/identify/identify.hpp"
+
+#include <catch2/catch.hpp>
+#include <map>
+#include <set>
+
+using namespace tetrarch;
+using namespace tetrarch::diagram;
+
+TEST_CASE("volumes of the knots to seven crossings", "[names]") {
+  // Adams, Hildebrand and Weeks, "Hyperbolic invariants of knots and links" (1991), to the digits that
+  // SnapPea's kernel adds.
+  const std::map<std::string, double> volumes{
+      {"4_1", 2.029883212819}, {"5_2", 2.828122088330}, {"6_1", 3.163963228883}, {"6_2", 4.400832516123},
+      {"6_3", 5.693021091281}, {"7_2", 3.331744231641}, {"7_3", 4.592125697027}, {"7_4", 5.137941201873},
+      {"7_5", 6.443537380850}, {"7_6", 7.084925953510}, {"7_7", 7.643375172359}};
+  for (const auto& [name, volume] : volumes) {
+    INFO(name);
+    const auto found = hyperbolic::find_structure(exterior(*named_diagram(name)), {});
+    CHECK(found.structure.volume == Approx(volume).margin(1e-10).epsilon(0));
+  }
+}
+
+TEST_CASE("the knots of the table are knots, and all differ", "[names]") {
+  // The torus knots among them have no structure: (2,n), (3,4) and (3,5). Complements of prime knots that are
+  // homeomorphic belong to one knot or its mirror image (Gordon and Luecke, 1989).
+  const std::set<std::string> torus{"0_1", "3_1", "5_1", "7_1", "8_19", "9_1", "10_124"};
+  std::map<std::string, std::string> seen;
+  REQUIRE(diagram_names().size() == 250);
+  for (const std::string& name : diagram_names()) {
+    INFO(name);
+    const Diagram knot = *named_diagram(name);
+    CHECK(components(knot).count == 1);
+    if (torus.count(name) != 0) continue;
+    const std::string signature = identify::identify(exterior(knot)).isometry_signature;
+    REQUIRE_FALSE(signature.empty());
+    const auto [at, fresh] = seen.emplace(signature, name);
+    INFO("is " << at->second);
+    CHECK(fresh);
+  }
+}
+
+TEST_CASE("what is no name of a knot", "[names]") {
+  for (const char* name :
+       {"", "_", "4_", "_1", "4_2", "1_1", "11_1", "10_166", "4_1 ", "4_01x", "99999999_1", "m004"})
+    CHECK_FALSE(named_diagram(name).has_value());
+  CHECK(rolfsen_braid("4_1") == std::vector<int>{-1, 2, -1, 2});
+}

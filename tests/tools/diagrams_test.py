@@ -1,0 +1,142 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Diagrams, exteriors and drilling, as typed."""
+import json
+import math
+import os
+import xml.etree.ElementTree
+import unittest
+
+from running import InFolder, SOURCE, run, run_json
+
+FIGURE_EIGHT = "braid 1 -2 1 -2"
+
+
+class Exteriors(InFolder):
+    def test_the_figure_eight_knot_is_m004(self):
+        status, x = run_json("exterior", FIGURE_EIGHT)
+        self.assertEqual(status, 0)
+        self.assertEqual((x["signature"], x["homology"], x["crossings"], x["components"]), ("cPcbbbiht", "Z", 4, 1))
+        self.assertEqual([b["genus"] for b in x["boundary"]], [1])
+        self.assertEqual(len(x["meridians"]), 1)
+        self.assertIn(x["meridians"][0], x["wirtinger"]["generators"])
+        self.assertEqual(len(x["wirtinger"]["relators"]), 4)
+
+    def test_handlebody_knots(self):
+        # Volumes and the table: tests/data/handlebody_knots.txt.
+        with open(os.path.join(SOURCE, "tests/data/handlebody_knots.txt"), encoding="utf-8") as file:
+            lines = [line.strip().split("|") for line in file if not line.startswith("#")]
+        for name, code, volume in lines:
+            if volume == "-":
+                continue
+            with self.subTest(name):
+                path = self.path("graph.pd", code + "\n")
+                output = self.path("exterior.json")
+                status, x = run_json("exterior", path, "-o", output)
+                self.assertEqual((status, x["homology"], len(x["meridians"])), (0, "Z^2", 3))
+                self.assertAlmostEqual(run_json("hyperbolize", output)[1]["volume"], float(volume), delta=1e-11)
+                self.assertAlmostEqual(run_json("hyperbolize", path)[1]["volume"], float(volume), delta=1e-11)
+
+    def test_a_code_stands_where_a_triangulation_does(self):
+        self.assertEqual(run_json("census", "identify", FIGURE_EIGHT)[1]["name"], "figure-eight knot complement (m004)")
+        self.assertEqual(run_json("isometric", FIGURE_EIGHT, "m004")[1]["isometric"], True)
+        self.assertEqual(run_json("info", FIGURE_EIGHT)[1]["homology"], "Z")
+        done = run("info", "-", stdin="PD[X[1, 4, 2, 5], X[3, 6, 4, 1], X[5, 2, 6, 3]]\n")
+        self.assertIn("torus (ideal)", done.stdout)
+
+    def test_knots_by_name(self):
+        self.assertEqual(run_json("exterior", "4_1")[1]["signature"], "cPcbbbiht")
+        self.assertAlmostEqual(run_json("hyperbolize", "5_2")[1]["volume"], 2.828122088330, delta=1e-11)
+        self.assertEqual(run_json("diagram", "10_165")[1]["components"], 1)
+        self.assertEqual(run("exterior", "10_166").returncode, 2)
+
+    def test_mirror_and_seed(self):
+        for more in (("--mirror",), ("--seed", "5")):
+            self.assertEqual(run_json("exterior", FIGURE_EIGHT, *more)[1]["signature"], "cPcbbbiht")
+
+    def test_a_curve(self):
+        points = ((math.tau * k / 60 for k in range(60)))
+        text = "".join(f"{(2 + math.cos(2 * t)) * math.cos(3 * t)} {(2 + math.cos(2 * t)) * math.sin(3 * t)} {math.sin(4 * t)}\n"
+                       for t in points)
+        path = self.path("curve.xyz", text)
+        for seed in "1", "2", "3":
+            self.assertEqual(run_json("exterior", path, "--seed", seed)[1]["signature"], "cPcbbbiht")
+
+    def test_parabolic_meridians(self):
+        # Twice a regular ideal octahedron, as Orb has it; a link's meridians are parabolic in its own structure.
+        k4 = "V[1, 3, 2] V[4, 5, 1] V[2, 6, 4] V[3, 5, 6]"
+        status, x = run_json("exterior", k4, "--parabolic")
+        self.assertEqual((status, x["homology"]), (0, "Z^3"))
+        self.assertAlmostEqual(x["parabolic_volume"], 7.327724753418, delta=1e-11)
+        status, x = run_json("exterior", k4, "--double", "--parabolic")
+        self.assertEqual((status, [b["genus"] for b in x["boundary"]]), (0, [1] * 6))
+        self.assertAlmostEqual(x["parabolic_volume"], 7.327724753418, delta=1e-11)
+        self.assertAlmostEqual(run_json("exterior", FIGURE_EIGHT, "--parabolic")[1]["parabolic_volume"], 2.029883212819,
+                               delta=1e-11)
+        self.assertEqual(run_json("exterior", "braid 1 1 1", "--parabolic")[0], 4)
+        self.assertIn("no vertex", run("exterior", FIGURE_EIGHT, "--double").stderr)
+
+    def test_bad_input(self):
+        for code, words in (("braid 1 x", "found 'x'"), ("PD[X[1,2,3,4]]", "arc 1 has 1 end"),
+                            ("[[1,2,3,4],[1,2,3,4]]", "genus 1"), ("no such thing", "no code of a diagram"),
+                            ("DT[4, 6, 3]", "found 3"), ("Gauss[1,2,-1,-2]", "no plane diagram")):
+            done = run("exterior", code)
+            self.assertEqual((done.returncode, done.stdout), (2, ""), code)
+            self.assertIn(words, done.stderr)
+            self.assertEqual(done.stderr.count("\n"), 1)
+        bow = self.path("bow.xyz", "0 0 0\n1 1 0\n1 0 0\n0 1 0\n")
+        self.assertIn("meet", run("exterior", bow).stderr)
+        self.assertIn("line", json.loads(run("exterior", self.path("bad", "braid 1\n2 y\n"), "--json").stderr)["error"])
+
+
+class Diagrams(InFolder):
+    def test_facts(self):
+        status, d = run_json("diagram", "V[1, 2, 3] V[3, 2, 1]")
+        self.assertEqual(status, 0)
+        self.assertEqual([d[k] for k in ("crossings", "vertices", "edges", "components", "parts", "regions", "alternating")],
+                         [0, 2, 3, 1, 1, 3, True])
+
+    def test_simplify_and_mirror(self):
+        self.assertEqual(run_json("diagram", "braid 1 -1 2 1 -1", "--simplify")[1]["crossings"], 0)
+        code = run_json("diagram", "braid 1 1 1")[1]["code"]
+        self.assertNotEqual(run_json("diagram", "braid 1 1 1", "--mirror")[1]["code"], code)
+
+    def test_files(self):
+        svg = self.path("trefoil.svg")
+        self.assertEqual(run("diagram", "braid 1 1 1", "-o", svg).returncode, 0)
+        root = xml.etree.ElementTree.parse(svg).getroot()
+        self.assertTrue(root.tag.endswith("svg"))
+        # Three passages below: three strokes.
+        self.assertEqual(sum(1 for e in root.iter() if e.tag.endswith(("polyline", "path", "polygon"))), 3)
+        code = self.path("trefoil.pd")
+        self.assertEqual(run("diagram", "braid 1 1 1", "-o", code).returncode, 0)
+        self.assertEqual(run_json("diagram", code)[1]["crossings"], 3)
+
+
+class Drill(InFolder):
+    def test_edges_of_the_sphere(self):
+        # The edge of valence 1 of the sphere of one tetrahedron is a trefoil, the other one an unknot.
+        groups = {}
+        for edge in "0", "1":
+            status, x = run_json("drill", "bkaagj", edge)
+            self.assertEqual((status, x["homology"], x["drilled"]), (0, "Z", [int(edge)]))
+            groups[edge] = len(x["group"]["generators"])
+        self.assertEqual(groups, {"0": 1, "1": 2})
+
+    def test_by_tetrahedron_and_cut(self):
+        output = self.path("drilled.json")
+        status, x = run_json("drill", "bkaagj", "0:23", "--cut", "-o", output)
+        self.assertEqual((status, x["drilled"], [b["kind"] for b in x["boundary"]]), (0, [1], ["real"]))
+        self.assertEqual(len(x["meridians"]), 1)
+        again = run_json("truncate", output)[1]
+        self.assertEqual((again["homology"], len(again["group"]["generators"])), ("Z", 2))
+        self.assertEqual(run_json("drill", "cMcabbgqw", "0,2")[1]["drilled"], [0, 2])
+
+    def test_bad_edges(self):
+        for word in "7", "x", "0:11", "0:1", "9:01", "-1", "0,,1":
+            done = run("drill", "bkaagj", "--", word)
+            self.assertEqual((done.returncode, done.stdout), (2, ""), word)
+            self.assertIn("EDGES", done.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()
