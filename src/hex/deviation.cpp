@@ -51,20 +51,29 @@ Sampled sampled(const product::HexMesh& mesh) {
 
 } // namespace
 
-Deviation deviation(const product::Solid& solid, const product::HexMesh& mesh) {
-  Triangles outside;
+std::vector<std::array<Point, 3>> boundary_triangles(const product::Solid& solid) {
+  Triangles result;
   for (int t = 0; t < solid.boundary.triangle_count(); ++t)
-    outside.push_back(
+    result.push_back(
         {solid.point(solid.corner(t, 0)), solid.point(solid.corner(t, 1)), solid.point(solid.corner(t, 2))});
+  return result;
+}
+
+Deviation deviation(const product::Solid& solid, const product::HexMesh& mesh) {
+  return deviation(boundary_triangles(solid), mesh);
+}
+
+Deviation deviation(std::vector<std::array<Point, 3>> boundary, const product::HexMesh& mesh) {
   Sampled hexahedra = sampled(mesh);
   Deviation result;
-  Point least = solid.point(solid.vertex.front());
+  Point least = boundary.front().front();
   Point most = least;
-  for (const int v : solid.vertex)
-    for (std::size_t a = 0; a < 3; ++a) {
-      least[a] = std::min(least[a], solid.point(v)[a]);
-      most[a] = std::max(most[a], solid.point(v)[a]);
-    }
+  for (const auto& t : boundary)
+    for (const Point& p : t)
+      for (std::size_t a = 0; a < 3; ++a) {
+        least[a] = std::min(least[a], p[a]);
+        most[a] = std::max(most[a], p[a]);
+      }
   result.diagonal = distance(least, most);
   const double spacing = std::max(hexahedra.mean_edge / 2, result.diagonal / 1000);
   const NearestTriangle of_hexahedra(std::move(hexahedra.triangles));
@@ -74,7 +83,7 @@ Deviation deviation(const product::Solid& solid, const product::HexMesh& mesh) {
     greatest = d;
     at = p;
   };
-  for (const auto& t : outside) {
+  for (const auto& t : boundary) {
     const double longest = std::max({distance(t[0], t[1]), distance(t[1], t[2]), distance(t[2], t[0])});
     const int n = std::max(1, static_cast<int>(std::ceil(longest / spacing)));
     for (int i = 0; i <= n; ++i)
@@ -84,7 +93,7 @@ Deviation deviation(const product::Solid& solid, const product::HexMesh& mesh) {
         measure(of_hexahedra, (1 - u - v) * t[0] + u * t[1] + v * t[2], result.from_solid, result.solid_at);
       }
   }
-  const NearestTriangle of_solid(std::move(outside));
+  const NearestTriangle of_solid(std::move(boundary));
   for (const Point& p : hexahedra.points) measure(of_solid, p, result.from_hexahedra, result.hexahedra_at);
   return result;
 }

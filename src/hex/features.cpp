@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <numbers>
 #include <numeric>
@@ -34,7 +35,6 @@ public:
     std::vector<Vector> normal;
     for (int t = 0; t < surface.triangle_count(); ++t) {
       const Vector a = area_vector(solid, t);
-      area_of_.push_back(norm(a));
       normal.push_back(direction(a).value_or(Vector{}));
     }
     for (int t = 0; t < surface.triangle_count(); ++t) {
@@ -56,13 +56,12 @@ public:
   }
 
   /// The smallest patch joins a neighbor, as long as it is too small.
-  void join_small(double least_area) {
-    while (true) {
-      std::vector<double> area(static_cast<std::size_t>(count_));
-      for (std::size_t t = 0; t < of_.size(); ++t) area[of_[t]] += area_of_[t];
-      const auto smallest = std::min_element(area.begin(), area.end());
-      if (count_ <= 1 || *smallest >= least_area) return;
-      const int gone = static_cast<int>(smallest - area.begin());
+  void join_small(double least_extent) {
+    while (count_ > 1) {
+      const std::vector<double> extent = extents();
+      const auto smallest = std::min_element(extent.begin(), extent.end());
+      if (*smallest >= least_extent) return;
+      const int gone = static_cast<int>(smallest - extent.begin());
       const int into = longest_neighbor(gone);
       for (int& p : of_) p = p == gone ? into : p;
       for (int& p : of_) p = p > gone ? p - 1 : p;
@@ -75,6 +74,23 @@ public:
   std::vector<int> take() { return std::move(of_); }
 
 private:
+  /// The diagonal of each patch's box.
+  std::vector<double> extents() const {
+    constexpr double far = std::numeric_limits<double>::infinity();
+    std::vector<Point> least(static_cast<std::size_t>(count_), {far, far, far});
+    std::vector<Point> most(least.size(), {-far, -far, -far});
+    for (int t = 0; t < static_cast<int>(of_.size()); ++t)
+      for (int c = 0; c < 3; ++c)
+        for (std::size_t a = 0; a < 3; ++a) {
+          const double x = solid_.point(solid_.corner(t, c))[a];
+          least[of_[t]][a] = std::min(least[of_[t]][a], x);
+          most[of_[t]][a] = std::max(most[of_[t]][a], x);
+        }
+    std::vector<double> result;
+    for (std::size_t p = 0; p < least.size(); ++p) result.push_back(distance(least[p], most[p]));
+    return result;
+  }
+
   int longest_neighbor(int patch) const {
     const mesh::Surface& surface = solid_.boundary;
     std::map<int, double> length;
@@ -93,7 +109,6 @@ private:
 
   const product::Solid& solid_;
   std::vector<int> of_;
-  std::vector<double> area_of_;
   int count_ = 0;
 };
 
@@ -138,7 +153,7 @@ Ridge walked(const Sharp& sharp, const std::set<int>& corners, int from, int to,
 
 Features features(const product::Solid& solid, const FeatureOptions& options) {
   Patches patches(solid, options);
-  patches.join_small(options.least_area);
+  patches.join_small(options.least_extent);
   const Sharp sharp = sharp_edges(solid, patches);
   Features result;
   std::set<int> corners;

@@ -128,11 +128,15 @@ struct Start {
 
 std::optional<SizedHexahedra> cells_in(const product::Solid& solid, const Targets& targets, double edge,
                                        const Progress& progress) {
-  const Grid grid = grid_around(solid.mesh.points, edge, flat_sides(targets));
-  const std::vector<float> full = filled(solid, solid.mesh.points, grid, progress);
-  for (const double least : {0.5, 0.35, 0.65, 0.2, 0.8})
-    if (const auto chosen = chosen_cells(grid, full, product::genus(solid), least))
-      return cells_of(grid, *chosen);
+  const int genus = product::genus(solid);
+  const auto sides = flat_sides(targets);
+  // Flat cells, as the second grid may have them, are for solids that are thin between flat sides.
+  for (const double apart : {0.4, 0.001}) {
+    const Grid grid = grid_around(solid.mesh.points, edge, sides, apart);
+    const std::vector<float> full = filled(solid, solid.mesh.points, grid, progress);
+    for (const double least : {0.5, 0.35, 0.65, 0.2, 0.8})
+      if (const auto chosen = chosen_cells(grid, full, genus, least)) return cells_of(grid, *chosen);
+  }
   return std::nullopt;
 }
 
@@ -145,19 +149,28 @@ Fitted fitted(Fitted start, const Match& match, bool with_layers, double edge, c
   return start;
 }
 
-/// Both ways where both may do, and the better.
+/// Without a layer, with one, and with more around all patches, until one is good enough; the best of them.
 Fitted best_fit(const SizedHexahedra& cells, const Match& match, double edge, const Targets& targets,
                 const Progress& progress) {
   constexpr double as_good = 0.4; // as layers can make it
-  const bool is_roomy =
-      match.is_unfolded && std::count(match.is_cramped.begin(), match.is_cramped.end(), 1) == 0;
+  const Fitted start{cells, {}, {}, false};
+  const bool is_cramped = std::count(match.is_cramped.begin(), match.is_cramped.end(), 1) > 0;
   std::optional<Fitted> best;
-  if (is_roomy) {
-    best = fitted({cells, {}, {}, false}, match, false, edge, targets, progress);
+  const auto offer = [&](Fitted found) {
+    if (!best || product::is_better(found.quality, best->quality)) best = std::move(found);
+  };
+  if (match.is_unfolded && !is_cramped) {
+    offer(fitted(start, match, false, edge, targets, progress));
     if (best->quality.minimum > as_good) return *std::move(best);
   }
-  Fitted layered = fitted({cells, {}, {}, false}, match, true, edge, targets, progress);
-  return best && product::is_better(best->quality, layered.quality) ? *std::move(best) : layered;
+  offer(fitted(start, match, true, edge, targets, progress));
+  const bool has_more = std::count(match.is_cramped.begin(), match.is_cramped.end(), 0) > 0;
+  if (best->quality.minimum < content && match.is_cramped.size() > 1 && has_more) {
+    Match roomy = match;
+    std::fill(roomy.is_cramped.begin(), roomy.is_cramped.end(), 1);
+    offer(fitted(start, roomy, true, edge, targets, progress));
+  }
+  return *std::move(best);
 }
 
 Filling measured(const product::Solid& solid, Fitted fitted, double edge) {
@@ -175,7 +188,7 @@ Filling measured(const product::Solid& solid, Fitted fitted, double edge) {
 /// With one length of edges; nothing where the grid has not the solid's genus.
 std::optional<Filling> filled_with(const product::Solid& solid, double edge, const FillOptions& options,
                                    const Progress& progress) {
-  const Targets targets(solid, features(solid, {.sharp = options.sharp, .least_area = edge * edge / 2}));
+  const Targets targets(solid, features(solid, {.sharp = options.sharp, .least_extent = edge}));
   std::optional<SizedHexahedra> cells = cells_in(solid, targets, edge, progress);
   if (!cells) return std::nullopt;
   Match match = unmatched(cells->mesh);
@@ -195,9 +208,9 @@ std::optional<Filling> filled_with(const product::Solid& solid, double edge, con
   return filling;
 }
 
-/// How many of the promises are broken.
-int broken(const Filling& filling, const FillOptions& options) {
-  int count = filling.quality.minimum < content ? 1 : 0;
+/// How many of volume and distance are off by more than is tolerated.
+int intolerable(const Filling& filling, const FillOptions& options) {
+  int count = 0;
   if (!(std::abs(filling.volume_ratio() - 1) <= options.volume_tolerance)) ++count;
   if (!(filling.deviation.relative() <= options.hausdorff_tolerance)) ++count;
   return count;
@@ -205,15 +218,15 @@ int broken(const Filling& filling, const FillOptions& options) {
 
 bool is_preferred(const Filling& a, const Filling& b, const FillOptions& options) {
   if (a.quality.bad.size() != b.quality.bad.size()) return a.quality.bad.size() < b.quality.bad.size();
-  const int broken_a = broken(a, options);
-  const int broken_b = broken(b, options);
-  return broken_a != broken_b ? broken_a < broken_b : a.quality.minimum > b.quality.minimum;
+  const int off_a = intolerable(a, options);
+  const int off_b = intolerable(b, options);
+  return off_a != off_b ? off_a < off_b : a.quality.minimum > b.quality.minimum;
 }
 
 } // namespace
 
 bool Filling::is_good(const FillOptions& options) const {
-  return quality.bad.empty() && broken(*this, options) == 0;
+  return quality.minimum >= content && intolerable(*this, options) == 0;
 }
 
 double edge_for(const product::Solid& solid, std::int64_t cells) {

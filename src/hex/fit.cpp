@@ -102,6 +102,8 @@ void fit(SizedHexahedra& hexahedra, const std::vector<Home>& home, const Targets
   descent.flat = options.flat;
   descent.reach = 0.01;
   settle(problem, home, mesh, progress);
+  constexpr double spoiled = 0.05; // scaled Jacobian
+  bool was_good = false;
   for (int round = 0; round < options.rounds; ++round) {
     progress.step("fitting", round / static_cast<double>(options.rounds));
     const double part = options.rounds > 1 ? round / (options.rounds - 1.0) : 1;
@@ -119,7 +121,15 @@ void fit(SizedHexahedra& hexahedra, const std::vector<Home>& home, const Targets
       descent.most_rounds = 8;
       descent.flat /= 10;
     }
+    std::vector<Point> before = mesh.points;
     mesh.points = unfold::unfold(problem, std::move(mesh.points), descent, progress.silent()).last;
+    // Springs that squeeze hexahedra flat are too strong: what is left of the way is for `land`.
+    const double least = product::quality(mesh).minimum;
+    if (was_good && least < spoiled) {
+      mesh.points = std::move(before);
+      break;
+    }
+    was_good = least >= spoiled;
   }
   if (options.ends_there) land(mesh, home, targets);
 }

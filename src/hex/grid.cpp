@@ -17,16 +17,14 @@ using namespace numeric;
 /// Sample points of a cell along an axis.
 constexpr int samples = 3;
 
-/// Planes nearer than this part of the edge are one.
-constexpr double same_plane = 0.4;
-
-std::vector<double> planes_between(double least, double most, double edge, std::vector<double> fixed) {
+std::vector<double> planes_between(double least, double most, double edge, std::vector<double> fixed,
+                                   double apart) {
   fixed.push_back(least);
   fixed.push_back(most);
   std::sort(fixed.begin(), fixed.end());
   std::vector<double> kept;
   for (const double x : fixed)
-    if (kept.empty() || x - kept.back() > same_plane * edge) kept.push_back(x);
+    if (kept.empty() || x - kept.back() > apart * edge) kept.push_back(x);
   if (kept.size() < 2) kept = {least, std::max(most, least + edge)};
   std::vector<double> planes{kept.front()};
   for (std::size_t k = 0; k + 1 < kept.size(); ++k) {
@@ -76,12 +74,12 @@ std::array<int, 3> Grid::cell(std::size_t index) const {
 }
 
 Grid grid_around(const std::vector<Point>& points, double edge,
-                 const std::array<std::vector<double>, 3>& fixed) {
+                 const std::array<std::vector<double>, 3>& fixed, double apart) {
   Grid grid;
   for (std::size_t a = 0; a < 3; ++a) {
     const auto less = [a](const Point& p, const Point& q) { return p[a] < q[a]; };
     const auto [low, high] = std::minmax_element(points.begin(), points.end(), less);
-    std::vector<double> planes = planes_between((*low)[a], (*high)[a], edge, fixed[a]);
+    std::vector<double> planes = planes_between((*low)[a], (*high)[a], edge, fixed[a], apart);
     planes.insert(planes.begin(), planes.front() - edge);
     planes.push_back(planes.back() + edge);
     grid.plane[a] = std::move(planes);

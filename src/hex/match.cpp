@@ -126,6 +126,7 @@ private:
       if (v < 0) return false;
       result_.home[v] = {Home::Kind::corner, k};
       node_of_corner_[corners[k]] = v;
+      for (const int n : squares_.neighbors[v]) corner_beside_[n] = v;
     }
     return true;
   }
@@ -168,6 +169,7 @@ private:
   }
 
   bool connect(int from, int to, int r) {
+    constexpr double narrow = 6; // times as dear
     std::map<int, double> reached{{from, 0}};
     std::map<int, int> before;
     using Entry = std::pair<double, int>;
@@ -181,7 +183,11 @@ private:
       for (const int n : squares_.neighbors[v]) {
         if (n != to && is_taken(n)) continue;
         if (is_rim_.contains(edge_of(v, n))) continue;
-        const double there = so_far + cost(v, n, r);
+        // Where another corner's ridges may have to start there is a way for few.
+        const auto beside = corner_beside_.find(n);
+        const bool is_narrow =
+            beside != corner_beside_.end() && beside->second != from && beside->second != to;
+        const double there = so_far + (is_narrow ? narrow : 1) * cost(v, n, r);
         const auto found = reached.find(n);
         if (found != reached.end() && found->second <= there) continue;
         reached[n] = there;
@@ -295,7 +301,8 @@ private:
   Squares squares_;
   std::vector<Vector> normals_;
   std::map<int, int> node_of_corner_;
-  std::set<Edge> is_rim_; ///< edges of paths
+  std::map<int, int> corner_beside_; ///< of a point beside a corner: the last such corner
+  std::set<Edge> is_rim_;            ///< edges of paths
   Match result_;
 };
 

@@ -2,6 +2,7 @@
 #include "tetrarch/hex/targets.hpp"
 
 #include "tetrarch/core/error.hpp"
+#include "tetrarch/hex/deviation.hpp"
 
 #include <array>
 #include <cstddef>
@@ -13,18 +14,10 @@ namespace {
 using namespace numeric;
 using Triangles = std::vector<std::array<Point, 3>>;
 
-Triangles triangles_of(const product::Solid& solid) {
-  Triangles result;
-  for (int t = 0; t < solid.boundary.triangle_count(); ++t)
-    result.push_back(
-        {solid.point(solid.corner(t, 0)), solid.point(solid.corner(t, 1)), solid.point(solid.corner(t, 2))});
-  return result;
-}
-
 } // namespace
 
 Targets::Targets(const product::Solid& solid, Features features)
-    : features_(std::move(features)), whole_(triangles_of(solid)) {
+    : features_(std::move(features)), whole_(boundary_triangles(solid)) {
   std::vector<Triangles> parts(static_cast<std::size_t>(features_.patches));
   for (int t = 0; t < whole_.size(); ++t) parts[patch_of(t)].push_back(whole_.corners(t));
   for (Triangles& part : parts) patches_.emplace_back(std::move(part));

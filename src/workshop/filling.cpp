@@ -88,7 +88,7 @@ Rows rows_of(const FilledSolid& found) {
            scientific(f.deviation.relative(), 2) + " of the diagonal, at " + text_of(f.deviation.at())},
           {"edge", rounded(f.edge)},
           {"ridges", std::to_string(f.ridges) + " kept of " + std::to_string(f.ridges_of_solid)},
-          {"worst", joined(worst, "\n")}};
+          {"worst", joined(worst, ", ")}};
 }
 
 template <>

@@ -18,6 +18,7 @@ import unittest
 from fractions import Fraction
 
 from diagrams_test import *  # noqa: F401,F403: knots, links and graphs in space
+from hex_test import *  # noqa: F401,F403: hexahedra of solids
 from hostile_test import *  # noqa: F401,F403: files and surroundings that mean no good
 from inputs_test import *  # noqa: F401,F403: what stands for a triangulation
 from meshes_test import *  # noqa: F401,F403: meshes from elsewhere, and mending them

@@ -171,3 +171,25 @@ TEST_CASE("What cannot be unfolded comes back no worse, and wrong calls are refu
   CHECK_THROWS_AS(unfold::unfold(wrong, box.points), PreconditionError);
   CHECK_THROWS_AS(element({0, 1, 2, 3}, {{{1, 0, 0}, {0, 0, 1}, {0, 1, 0}}}), PreconditionError);
 }
+
+TEST_CASE("springs draw points to planes, lines and places", "[unfold]") {
+  // Two points of a box of cubes are drawn: its corner to a place, the middle of a side to a plane beyond it.
+  Box box(2);
+  for (Freedom& f : box.problem.freedom) f.kind = Freedom::Kind::free;
+  const int corner = box.at(0, 0, 0);
+  const int middle = box.at(2, 1, 1);
+  const Freedom fixed{Freedom::Kind::fixed, {}};
+  const Freedom plane{Freedom::Kind::plane, {1, 0, 0}};
+  constexpr double strong = 1e5;
+  box.problem.pulls = {{corner, fixed, {-0.1, -0.2, -0.1}, strong}, {middle, plane, {2.2, 0, 0}, strong}};
+  const Unfolded found = unfold::unfold(box.problem, box.points);
+  CHECK(found.folded_after == 0);
+  CHECK(numeric::distance(found.points[corner], {-0.1, -0.2, -0.1}) < 1e-3);
+  CHECK(found.points[middle][0] == Approx(2.2).margin(1e-3));
+  CHECK(found.last == found.points);
+  const Pull line{0, {Freedom::Kind::line, {0, 0, 1}}, {1, 1, 1}, 1};
+  CHECK(line.away({2, 3, 4}) == numeric::Vector{1, 2, 0});
+  CHECK_THROWS_AS(
+      unfold::unfold({box.problem.elements, box.problem.freedom, {{999, fixed, {}, 1}}}, box.points),
+      PreconditionError);
+}

@@ -181,7 +181,7 @@ std::optional<PartitionedSolid> started(SolidProduct& made, const Options& optio
   const std::string& path = options.hexahedra.polycube;
   CarriedCubes carried;
   format::Soup polycube;
-  const double volume = product::volume(solid);
+  const MeasuredSolid original = measured(solid);
   if (!path.empty()) {
     polycube = read_soup(path, context);
     carried = carried_by_map(solid, polycube, options.hexahedra, context);
@@ -190,7 +190,7 @@ std::optional<PartitionedSolid> started(SolidProduct& made, const Options& optio
   if (carried.is_good() && !is_given(options.partition) && !wants_page(options)) {
     made.report.json["tetrahedra"] = solid.size();
     made.report.rows.emplace_back("solid", counted(solid.size(), "tetrahedron"));
-    add_polycube(made, std::move(carried), volume, options.hexahedra, context);
+    add_polycube(made, std::move(carried), original, options.hexahedra, context);
     return start;
   }
   try {
@@ -203,7 +203,7 @@ std::optional<PartitionedSolid> started(SolidProduct& made, const Options& optio
   if (start) made.report.add(partition_report(start->solid, start->partition, start->how));
   if (path.empty()) return start;
   if (start && !carried.is_good()) try_fibers(carried, *start, polycube, options.hexahedra, context);
-  add_polycube(made, std::move(carried), volume, options.hexahedra, context);
+  add_polycube(made, std::move(carried), original, options.hexahedra, context);
   return start;
 }
 

@@ -25,7 +25,7 @@ using product::Point;
 constexpr double smooth_enough = 0.2;
 
 /// Untangled and smoothed if wanted, measured and told.
-void add_quality(SolidProduct& made, double solid_volume, const HexahedraOptions& options,
+void add_quality(SolidProduct& made, const MeasuredSolid& solid, const HexahedraOptions& options,
                  const Progress& progress) {
   product::HexQuality quality = product::quality(made.hexahedra->mesh);
   if (options.smooth) {
@@ -39,7 +39,7 @@ void add_quality(SolidProduct& made, double solid_volume, const HexahedraOptions
     quality = product::quality(made.hexahedra->mesh);
   }
   const MeasuredHexahedra measured{*made.hexahedra, quality, product::volume(made.hexahedra->mesh),
-                                   solid_volume};
+                                   solid.volume, hex::deviation(solid.boundary, made.hexahedra->mesh)};
   made.report.add(hexahedra_report(measured));
   const std::vector<std::string> doubts = doubts_about(measured, options.volume_tolerance);
   made.report.add(verdict_report(
@@ -83,6 +83,10 @@ void offer(CarriedCubes& best, product::SolidHexahedra found, const char* how) {
 
 } // namespace
 
+MeasuredSolid measured(const product::Solid& solid) {
+  return {product::volume(solid), hex::boundary_triangles(solid)};
+}
+
 void add_hexahedra(SolidProduct& made, const product::FiberField& field, const product::FloorMap& floor,
                    const HexahedraOptions& options, const Context& context) {
   const product::FloorGrid grid =
@@ -96,7 +100,7 @@ void add_hexahedra(SolidProduct& made, const product::FiberField& field, const p
                                       context.progress);
   made.cells = static_cast<int>(grid.cells.size());
   made.report.add(grid_report(grid));
-  add_quality(made, product::volume(field.solid()), options, context.progress);
+  add_quality(made, measured(field.solid()), options, context.progress);
 }
 
 bool CarriedCubes::is_good() const {
@@ -156,13 +160,13 @@ void try_fibers(CarriedCubes& carried, const PartitionedSolid& start, const form
   }
 }
 
-void add_polycube(SolidProduct& made, CarriedCubes carried, double solid_volume,
+void add_polycube(SolidProduct& made, CarriedCubes carried, const MeasuredSolid& solid,
                   const HexahedraOptions& options, const Context& context) {
   if (!carried.hexahedra) throw PreconditionError("add_polycube: there are no hexahedra");
   made.hexahedra = std::move(carried.hexahedra);
   made.report.json["carried_by"] = carried.how;
   made.report.rows.emplace_back("cubes carried by", carried.how);
-  add_quality(made, solid_volume, options, context.progress);
+  add_quality(made, solid, options, context.progress);
 }
 
 } // namespace tetrarch::program

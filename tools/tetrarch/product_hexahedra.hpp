@@ -50,13 +50,20 @@ struct CarriedCubes {
 CarriedCubes carried_by_map(const product::Solid& solid, const format::Soup& polycube,
                             const HexahedraOptions& options, const Context& context);
 
+/// What hexahedra are measured against.
+struct MeasuredSolid {
+  double volume = 0;
+  std::vector<std::array<product::Point, 3>> boundary;
+};
+MeasuredSolid measured(const product::Solid& solid);
+
 /// Along fibers, if that is better than what there is. The images of vertices made by splitting edges lie on
 /// the images of these. Throws InputError if no way was open at all.
 void try_fibers(CarriedCubes& carried, const PartitionedSolid& solid, const format::Soup& polycube,
                 const HexahedraOptions& options, const Context& context);
 
 /// Throws PreconditionError if there are none.
-void add_polycube(SolidProduct& made, CarriedCubes carried, double solid_volume,
+void add_polycube(SolidProduct& made, CarriedCubes carried, const MeasuredSolid& solid,
                   const HexahedraOptions& options, const Context& context);
 
 } // namespace tetrarch::program

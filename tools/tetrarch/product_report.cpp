@@ -237,6 +237,11 @@ Report hexahedra_report(const MeasuredHexahedra& hexahedra) {
                  {"min_scaled_jacobian", quality.minimum},
                  {"mean_scaled_jacobian", quality.mean},
                  {"inverted", quality.bad.size()},
+                 {"below_0.2", std::count_if(quality.scaled_jacobian.begin(), quality.scaled_jacobian.end(),
+                                             [](double j) { return j < 0.2; })},
+                 {"volume_ratio", hexahedra.volume / hexahedra.solid_volume},
+                 {"hausdorff", hexahedra.deviation.relative()},
+                 {"hausdorff_at", hexahedra.deviation.at()},
                  {"histogram", histogram_json(quality)},
                  {"bad", cells_json(quality.bad)},
                  {"worst", cells_json(quality.worst)}};
@@ -244,6 +249,8 @@ Report hexahedra_report(const MeasuredHexahedra& hexahedra) {
       {"hexahedra", std::to_string(count) + (left_out > 0 ? ", left out " + std::to_string(left_out) : "")},
       {"volume", rounded(hexahedra.volume) + ", of the solid " + rounded(hexahedra.solid_volume) +
                      ", relative error " + scientific(hexahedra.volume_error(), 1)},
+      {"distance", scientific(hexahedra.deviation.relative(), 1) +
+                       " of the diagonal between the surfaces, at " + at(hexahedra.deviation.at())},
       {"scaled Jacobian", fixed(quality.minimum, 4) + " at least, " + fixed(quality.mean, 4) +
                               " on average, 0 or less in " + std::to_string(quality.bad.size())},
       {"", histogram_text(quality)},

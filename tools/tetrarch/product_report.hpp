@@ -6,6 +6,7 @@
 
 #include "report.hpp"
 
+#include "tetrarch/hex/deviation.hpp"
 #include "tetrarch/product/critical.hpp"
 #include "tetrarch/product/grid.hpp"
 #include "tetrarch/product/hexahedra.hpp"
@@ -34,6 +35,7 @@ struct MeasuredHexahedra {
   const product::HexQuality& quality;
   double volume = 0;
   double solid_volume = 0;
+  hex::Deviation deviation;    ///< between the surfaces of both
   double volume_error() const; ///< relative to the solid's
 };
 Report hexahedra_report(const MeasuredHexahedra& hexahedra);

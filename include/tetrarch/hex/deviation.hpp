@@ -26,8 +26,13 @@ struct Deviation {
   Point at() const { return from_hexahedra > from_solid ? hexahedra_at : solid_at; }
 };
 
+/// The triangles of a solid's boundary, seen from outside.
+std::vector<std::array<Point, 3>> boundary_triangles(const product::Solid& solid);
+
 /// Sampled: on each square of the hexahedra's surface 25 points, which cut it into 32 triangles; on each
 /// triangle of the solid points that are no farther apart than half a mean edge of the squares. O(n log n).
 Deviation deviation(const product::Solid& solid, const product::HexMesh& mesh);
+/// The same for a solid's boundary.
+Deviation deviation(std::vector<std::array<Point, 3>> boundary, const product::HexMesh& mesh);
 
 } // namespace tetrarch::hex

@@ -30,9 +30,11 @@ struct Features {
 };
 
 struct FeatureOptions {
-  double sharp = 40;     ///< degrees between normals
-  double turn = 60;      ///< degrees between two sharp edges in a row, for a corner
-  double least_area = 0; ///< of a patch; a smaller one joins the neighbor with which it has the longest ridge
+  double sharp = 40; ///< degrees between normals
+  double turn = 60;  ///< degrees between two sharp edges in a row, for a corner
+  /// Of a patch: the diagonal of its box. A smaller one joins the neighbor with which it has the longest
+  /// ridge.
+  double least_extent = 0;
 };
 
 /// O(n log n), times the patches that are too small.

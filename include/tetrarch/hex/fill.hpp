@@ -26,11 +26,11 @@
 namespace tetrarch::hex {
 
 struct FillOptions {
-  std::optional<double> edge;        ///< wanted length of edges
-  std::optional<std::int64_t> cells; ///< wanted number of hexahedra; without either, `usual_cells`
-  double sharp = 40;                 ///< degrees between normals, from which an edge is kept as a ridge
-  double volume_tolerance = 0.01;    ///< relative
-  double hausdorff_tolerance = 0.01; ///< in terms of the diagonal of the solid's box
+  std::optional<double> edge{};        ///< wanted length of edges
+  std::optional<std::int64_t> cells{}; ///< wanted number of hexahedra; without either, `usual_cells`
+  double sharp = 40;                   ///< degrees between normals, from which an edge is kept as a ridge
+  double volume_tolerance = 0.01;      ///< relative
+  double hausdorff_tolerance = 0.01;   ///< in terms of the diagonal of the solid's box
 };
 
 /// What `FillOptions::cells` is where nobody said.

@@ -19,7 +19,7 @@
 namespace tetrarch::hex {
 
 struct FitOptions {
-  int rounds = 10;     ///< in which nearest points are found
+  int rounds = 8;      ///< in which nearest points are found
   int iterations = 40; ///< of the energy's descent in a round
   double flat = 1e-5;  ///< gain of an iteration at which a round is over; a tenth of it in the last round
   double weakest = 10; ///< spring, in units of the energy for a motion by the length of a cell

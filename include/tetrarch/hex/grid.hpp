@@ -37,9 +37,10 @@ struct Grid {
 };
 
 /// Planes at a distance of about `edge` around some points, with one cell free on all sides. `fixed[axis]`
-/// are places where there is to be a plane; those nearer to another than a part of the edge move to it.
+/// are places where there is to be a plane; one that is nearer to the plane before it than `apart`, in terms
+/// of the edge, is left out.
 Grid grid_around(const std::vector<Point>& points, double edge,
-                 const std::array<std::vector<double>, 3>& fixed = {});
+                 const std::array<std::vector<double>, 3>& fixed = {}, double apart = 0.4);
 
 /// Bytes that `filled` and what follows take for so many cells of a grid.
 std::int64_t bytes_for(std::int64_t cells);

@@ -1,0 +1,265 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "product/solids.hpp"
+#include "support/random.hpp"
+#include "tetrarch/hex/deviation.hpp"
+#include "tetrarch/hex/features.hpp"
+#include "tetrarch/hex/fill.hpp"
+#include "tetrarch/hex/grid.hpp"
+#include "tetrarch/hex/layers.hpp"
+#include "tetrarch/hex/nearest.hpp"
+
+#include <algorithm>
+#include <array>
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <numbers>
+#include <set>
+#include <stop_token>
+
+using namespace tetrarch;
+using namespace tetrarch::hex;
+using namespace tetrarch::numeric;
+using support::Random;
+
+namespace {
+
+product::Solid box_solid() {
+  return product::solid(support::box({3, 2, 1}, {3, 2, 1}, 0).mesh);
+}
+
+/// A grid of n x n x n cells with those taken whose index is in the list.
+struct Marked {
+  Grid grid;
+  std::vector<float> filled;
+
+  Marked(int n, const std::set<std::array<int, 3>>& cells) {
+    for (auto& planes : grid.plane)
+      for (int k = 0; k <= n; ++k) planes.push_back(k);
+    filled.assign(static_cast<std::size_t>(grid.size()), 0);
+    for (const auto& [x, y, z] : cells) filled[grid.index(x, y, z)] = 1;
+  }
+};
+
+/// Vertices - edges + faces of the surface, counted from its squares.
+int euler(const product::HexMesh& mesh) {
+  std::set<int> vertices;
+  std::set<std::pair<int, int>> edges;
+  const auto surface = surface_of(mesh);
+  for (const SurfaceSquare& s : surface) {
+    const auto& side = product::outward_sides[s.side];
+    for (std::size_t k = 0; k < 4; ++k) {
+      const int a = mesh.hexahedra[s.hexahedron][side[k]];
+      const int b = mesh.hexahedra[s.hexahedron][side[(k + 1) % 4]];
+      vertices.insert(a);
+      edges.insert({std::min(a, b), std::max(a, b)});
+    }
+  }
+  return static_cast<int>(vertices.size()) - static_cast<int>(edges.size()) +
+         static_cast<int>(surface.size());
+}
+
+/// Each square belongs to two hexahedra at most, and no hexahedron names a point twice.
+void require_mesh(const product::HexMesh& mesh) {
+  std::map<std::array<int, 4>, int> count;
+  for (const product::Hexahedron& h : mesh.hexahedra) {
+    CHECK(std::set<int>(h.begin(), h.end()).size() == 8);
+    for (const auto& side : product::outward_sides) {
+      std::array<int, 4> square{h[side[0]], h[side[1]], h[side[2]], h[side[3]]};
+      std::sort(square.begin(), square.end());
+      CHECK(++count[square] <= 2);
+    }
+  }
+}
+
+} // namespace
+
+TEST_CASE("the nearest point is that of all triangles tried", "[hex]") {
+  Random random(3);
+  const auto point = [&] { return Point{random.uniform(), random.uniform(), random.uniform()}; };
+  std::vector<std::array<Point, 3>> triangles;
+  for (int k = 0; k < 200; ++k) {
+    const Point at = point();
+    triangles.push_back({at, at + 0.1 * point(), k % 7 == 0 ? at : at + 0.1 * point()});
+  }
+  const NearestTriangle tree(triangles);
+  for (int k = 0; k < 100; ++k) {
+    const Point p = point();
+    // Second route: points of each triangle on a fine grid of weights are never nearer.
+    double least = std::numeric_limits<double>::infinity();
+    constexpr int n = 20;
+    for (const auto& t : triangles)
+      for (int i = 0; i <= n; ++i)
+        for (int j = 0; i + j <= n; ++j) {
+          const double u = i / double{n};
+          const double v = j / double{n};
+          least = std::min(least, distance(p, (1 - u - v) * t[0] + u * t[1] + v * t[2]));
+        }
+    const Foot foot = tree.nearest(p);
+    CHECK(foot.distance <= least + 1e-12);
+    CHECK(foot.distance > least - 0.1 / n);
+    CHECK(distance(foot.at, p) == Approx(foot.distance));
+    CHECK(NearestTriangle({tree.corners(foot.triangle)}).nearest(foot.at).distance < 1e-12);
+  }
+  CHECK(NearestTriangle({}).nearest({}).triangle == -1);
+}
+
+TEST_CASE("a box has six patches, twelve ridges and eight corners", "[hex]") {
+  const Features box = features(box_solid());
+  CHECK(box.patches == 6);
+  CHECK(box.ridges.size() == 12);
+  CHECK(box.corners.size() == 8);
+  CHECK(std::none_of(box.ridges.begin(), box.ridges.end(), [](const Ridge& r) { return r.is_closed; }));
+
+  const Features can = features(product::solid(support::cylinder(6, 4).mesh));
+  CHECK(can.patches == 3);
+  CHECK(can.ridges.size() == 2);
+  CHECK(can.corners.empty());
+  for (const Ridge& rim : can.ridges) {
+    CHECK(rim.is_closed);
+    CHECK(rim.vertices.front() == rim.vertices.back());
+  }
+  // All patches of a box are smaller than this: one is left.
+  CHECK(features(box_solid(), {.least_extent = 100}).patches == 1);
+}
+
+TEST_CASE("cells take in a box exactly where planes meet its sides", "[hex]") {
+  const product::Solid solid = box_solid();
+  const Grid grid = grid_around(solid.mesh.points, 0.5);
+  const std::vector<float> full = filled(solid, solid.mesh.points, grid);
+  CHECK(std::count(full.begin(), full.end(), 1.0F) == 6 * 4 * 2);
+  CHECK(std::count(full.begin(), full.end(), 0.0F) == grid.size() - 6 * 4 * 2);
+  const auto chosen = chosen_cells(grid, full, 0);
+  REQUIRE(chosen);
+  const SizedHexahedra cells = cells_of(grid, *chosen);
+  CHECK(product::volume(cells.mesh) == 6);
+  CHECK(euler(cells.mesh) == 2);
+}
+
+TEST_CASE("cells that touch along an edge or at a point are mended", "[hex]") {
+  // Two cells of a row that meet at an edge; two that meet at a point; and a cell that would be a second
+  // piece.
+  for (const std::set<std::array<int, 3>>& cells :
+       {std::set<std::array<int, 3>>{{1, 1, 1}, {2, 2, 1}}, {{1, 1, 1}, {2, 2, 2}}, {{1, 1, 1}, {4, 4, 4}}}) {
+    const Marked marked(6, cells);
+    const auto chosen = chosen_cells(marked.grid, marked.filled, 0);
+    REQUIRE(chosen);
+    CHECK(euler(cells_of(marked.grid, *chosen).mesh) == 2);
+  }
+  // A ring of eight cells has genus 1, and is no ball; nor is it a ring where one is missing.
+  std::set<std::array<int, 3>> ring;
+  for (int x = 1; x < 4; ++x)
+    for (int y = 1; y < 4; ++y)
+      if (x != 2 || y != 2) ring.insert({x, y, 1});
+  const Marked marked(6, ring);
+  CHECK(chosen_cells(marked.grid, marked.filled, 1));
+  CHECK_FALSE(chosen_cells(marked.grid, marked.filled, 0));
+  ring.erase({2, 1, 1});
+  const Marked open(6, ring);
+  CHECK(chosen_cells(open.grid, open.filled, 0));
+  CHECK_FALSE(chosen_cells(open.grid, open.filled, 1));
+}
+
+TEST_CASE("a layer keeps surface and topology", "[hex]") {
+  const product::Solid solid = box_solid();
+  const Grid grid = grid_around(solid.mesh.points, 0.5);
+  const auto chosen = chosen_cells(grid, filled(solid, solid.mesh.points, grid), 0);
+  REQUIRE(chosen);
+  SizedHexahedra cells = cells_of(grid, *chosen);
+  const std::size_t squares = surface_of(cells.mesh).size();
+  const std::size_t before = cells.lengths.size();
+  const std::vector<int> origin =
+      add_layer(cells, std::vector<char>(before, 1), std::vector<char>(6 * before, 0), 0.1);
+  CHECK(cells.lengths.size() == before + squares);
+  CHECK(surface_of(cells.mesh).size() == squares);
+  CHECK(product::volume(cells.mesh) == Approx(6).epsilon(1e-12));
+  CHECK(euler(cells.mesh) == 2);
+  CHECK(product::quality(cells.mesh).bad.empty());
+  require_mesh(cells.mesh);
+  // A layer around some of the squares alone, which ends on the surface: one more square for each edge of
+  // the rim.
+  const std::size_t now = cells.lengths.size();
+  std::vector<char> shrinks(now);
+  std::vector<char> stays(6 * now);
+  std::map<std::pair<int, int>, int> edges;
+  for (std::size_t h = before; h < now; ++h) {
+    const auto& side = product::outward_sides[1];
+    double top = 1;
+    for (const int c : side) top = std::min(top, cells.mesh.points[cells.mesh.hexahedra[h][c]][2]);
+    if (top < 1) continue;
+    shrinks[h] = 1;
+    stays[6 * h + 1] = 1;
+    for (std::size_t k = 0; k < 4; ++k) {
+      const int a = cells.mesh.hexahedra[h][side[k]];
+      const int b = cells.mesh.hexahedra[h][side[(k + 1) % 4]];
+      ++edges[{std::min(a, b), std::max(a, b)}];
+    }
+  }
+  const auto rim = std::count_if(edges.begin(), edges.end(), [](const auto& e) { return e.second == 1; });
+  REQUIRE(rim == 20); // 2 (6 + 4)
+  add_layer(cells, shrinks, stays, 0.1);
+  CHECK(surface_of(cells.mesh).size() == squares + static_cast<std::size_t>(rim));
+  CHECK(euler(cells.mesh) == 2);
+  require_mesh(cells.mesh);
+}
+
+TEST_CASE("the distance of two surfaces is taken both ways", "[hex]") {
+  const product::Solid solid = box_solid();
+  const Grid grid = grid_around(solid.mesh.points, 0.5);
+  std::vector<char> chosen = *chosen_cells(grid, filled(solid, solid.mesh.points, grid), 0);
+  const Deviation none = deviation(solid, cells_of(grid, chosen).mesh);
+  CHECK(none.greatest() == Approx(0).margin(1e-12));
+  CHECK(none.diagonal == Approx(std::sqrt(14.0)));
+  // Without a layer at the end of greatest x the solid sticks out by half a unit; with a cell more they do.
+  std::vector<char> fewer = chosen;
+  for (std::size_t k = 0; k < fewer.size(); ++k)
+    if (grid.cell(k)[0] == 6) fewer[k] = 0;
+  const Deviation less = deviation(solid, cells_of(grid, fewer).mesh);
+  CHECK(less.from_solid == Approx(0.5));
+  CHECK(less.solid_at[0] == Approx(3));
+  chosen[grid.index(7, 2, 1)] = 1;
+  const Deviation more = deviation(solid, cells_of(grid, chosen).mesh);
+  CHECK(more.from_hexahedra == Approx(0.5));
+  CHECK(more.hexahedra_at[0] == 3.5);
+  CHECK(more.from_solid < 0.5);
+}
+
+TEST_CASE("a box is filled with boxes", "[hex]") {
+  const auto filling = fill(box_solid(), {.cells = 200});
+  REQUIRE(filling);
+  CHECK(filling->quality.minimum == Approx(1).epsilon(1e-9));
+  CHECK(filling->volume == Approx(6).epsilon(1e-9));
+  CHECK(filling->deviation.greatest() < 1e-9);
+  CHECK(filling->ridges == 12);
+  CHECK_FALSE(filling->has_layer);
+}
+
+TEST_CASE("curved solids are filled without an inverted hexahedron", "[hex]") {
+  // Volumes: a cylinder, a pipe, and a bent plate with two holes, all as their tetrahedra have them.
+  for (const mesh::TetMesh& mesh :
+       {support::cylinder(6, 4).mesh, support::pipe(0.5, 0.6, 5).mesh, support::bent(2, 4, 3).mesh}) {
+    const product::Solid solid = product::solid(mesh);
+    const auto filling = fill(solid, {.cells = 1500});
+    REQUIRE(filling);
+    require_mesh(filling->mesh);
+    CHECK(filling->quality.bad.empty());
+    CHECK(filling->quality.minimum > 0.2);
+    CHECK(std::abs(filling->volume_ratio() - 1) < 0.01);
+    CHECK(filling->deviation.relative() < 0.01);
+    CHECK(filling->ridges == filling->ridges_of_solid);
+    CHECK(euler(filling->mesh) == 2 - 2 * product::genus(solid));
+    CHECK(filling->volume == Approx(product::volume(filling->mesh)));
+  }
+}
+
+TEST_CASE("what no grid fits is not filled, and a stop is heeded", "[hex]") {
+  // A plate far thinner than the cells, slanted so that no planes meet its sides.
+  auto thin = support::box({1, 1, 1e-6}, {2, 2, 1}, 0).mesh;
+  for (Point& p : thin.points) p = {p[0] - p[2], p[1] - p[2], 0.3 * p[0] + 0.4 * p[1] + p[2]};
+  CHECK_FALSE(fill(product::solid(thin), {.edge = 0.2}));
+
+  std::stop_source stop;
+  stop.request_stop();
+  CHECK_THROWS_AS(fill(box_solid(), {}, Progress({}, stop.get_token())), Stopped);
+}

@@ -1,0 +1,155 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Hexahedra that fill a solid: what the program says of them, and what is in the files."""
+import math
+import os
+
+from running import InFolder, SOURCE, run, run_json
+
+SIX = ((0, 1, 3, 7), (0, 3, 2, 7), (0, 2, 6, 7), (0, 6, 4, 7), (0, 4, 5, 7), (0, 5, 1, 7))
+# Of each corner of a hexahedron the three that it is joined to, right-handed.
+BESIDE = ((1, 3, 4), (2, 0, 5), (3, 1, 6), (0, 2, 7), (7, 5, 0), (4, 6, 1), (5, 7, 2), (6, 4, 3))
+
+
+def cubes(places):
+    """Points and tetrahedra (from 0) of unit cubes at these places."""
+    index, tetrahedra = {}, []
+    for x, y, z in places:
+        corners = [(x + (k & 1), y + (k >> 1 & 1), z + (k >> 2)) for k in range(8)]
+        for p in corners:
+            index.setdefault(p, len(index))
+        tetrahedra += [[index[corners[v]] for v in t] for t in SIX]
+    return [list(map(float, p)) for p in index], tetrahedra
+
+
+def determinant(a, b, c):
+    return (a[0] * (b[1] * c[2] - b[2] * c[1]) - a[1] * (b[0] * c[2] - b[2] * c[0]) + a[2] * (b[0] * c[1] - b[1] * c[0]))
+
+
+def minus(p, q):
+    return [x - y for x, y in zip(p, q)]
+
+
+class Hex(InFolder):
+    def solid(self, name, points, tetrahedra):
+        with open(self.path(name), "w", encoding="utf-8") as file:
+            file.write("MeshVersionFormatted 2\nDimension 3\nVertices\n%d\n" % len(points))
+            file.writelines("%r %r %r 0\n" % tuple(p) for p in points)
+            file.write("Tetrahedra\n%d\n" % len(tetrahedra))
+            file.writelines("%d %d %d %d 0\n" % tuple(v + 1 for v in t) for t in tetrahedra)
+            file.write("End\n")
+        return self.path(name)
+
+    def read(self, path):
+        with open(path, encoding="utf-8") as file:
+            words = iter(file.read().split())
+        points, hexahedra = [], []
+        for word in words:
+            if word == "Vertices":
+                points = [[float(next(words)) for _ in range(4)][:3] for _ in range(int(next(words)))]
+            if word == "Hexahedra":
+                hexahedra = [[int(next(words)) - 1 for _ in range(9)][:8] for _ in range(int(next(words)))]
+        return points, hexahedra
+
+    def least_at_corners(self, points, hexahedra):
+        """The least scaled Jacobian at corners, counted here."""
+        least = 1.0
+        for h in hexahedra:
+            for corner, beside in enumerate(BESIDE):
+                edges = [minus(points[h[n]], points[h[corner]]) for n in beside]
+                least = min(least, determinant(*edges) / math.prod(math.hypot(*e) for e in edges))
+        return least
+
+    def test_boxes_are_filled_with_boxes(self):
+        """An L of three cubes: planes lie in its sides, so that all angles are right."""
+        ell = self.solid("ell.mesh", *cubes([(0, 0, 0), (1, 0, 0), (0, 1, 0)]))
+        path = self.path("ell_hex.mesh")
+        status, made = run_json("hex", ell, "--edge", "0.25", "-o", path, "-o", self.path("ell.vtu"), "-o", self.path("ell.json"),
+                                "-o", self.path("ell.glb"))
+        self.assertEqual(status, 0, made)
+        # By hand: 3 * 4^3 cells.
+        self.assertEqual([made["hexahedra"], made["inverted"], made["below_0.2"], made["ridges"]], [192, 0, 0, 18])
+        for name, value in (("min_scaled_jacobian", 1), ("mean_scaled_jacobian", 1), ("volume_ratio", 1), ("hausdorff", 0)):
+            self.assertAlmostEqual(made[name], value, delta=1e-9, msg=name)
+        points, hexahedra = self.read(path)
+        self.assertEqual(len(hexahedra), 192)
+        self.assertAlmostEqual(self.least_at_corners(points, hexahedra), 1, delta=1e-9)
+        self.assertEqual(sum(made["histogram"]), 192)
+        self.assertEqual(len(made["worst"]), 10)
+
+    def test_a_smooth_solid_with_handles(self):
+        """Five handles; of the file all is counted again."""
+        torus = os.path.join(SOURCE, "tests/data/genus5_smooth.mesh")
+        path = self.path("torus.mesh")
+        status, made = run_json("hex", torus, "--cells", "1500", "--hausdorff-tolerance", "0.05", "-o", path)
+        points, hexahedra = self.read(path)
+        self.assertEqual(len(hexahedra), made["hexahedra"])
+        least = self.least_at_corners(points, hexahedra)
+        self.assertLessEqual(made["min_scaled_jacobian"], least + 1e-6)
+        self.assertEqual(made["inverted"] == 0, made["min_scaled_jacobian"] > 0)
+        good = made["inverted"] == 0 and abs(made["volume_ratio"] - 1) <= 0.01 and made["hausdorff"] <= 0.05
+        self.assertEqual((status, made["doubts"] == []), (0 if good else 4, good))
+        self.assertEqual(made["inverted"], 0)
+        # Vertices - edges + squares of the surface of genus 5.
+        squares = {}
+        sides = ((0, 3, 2, 1), (4, 5, 6, 7), (0, 1, 5, 4), (1, 2, 6, 5), (2, 3, 7, 6), (3, 0, 4, 7))
+        for h in hexahedra:
+            for side in sides:
+                square = tuple(h[c] for c in side)
+                squares.setdefault(tuple(sorted(square)), []).append(square)
+        outer = [found[0] for found in squares.values() if len(found) == 1]
+        edges = {tuple(sorted((s[k], s[(k + 1) % 4]))) for s in outer for k in range(4)}
+        self.assertEqual(len({v for s in outer for v in s}) - len(edges) + len(outer), -8)
+
+    def test_what_is_beyond_a_tolerance_is_told(self):
+        torus = os.path.join(SOURCE, "tests/data/mesh/double_torus.off")
+        status, made = run_json("hex", torus, "--cells", "300", "--sharp", "180", "--volume-tolerance", "0",
+                                "--hausdorff-tolerance", "1e-9", "--memory", "2", "-o", self.path("torus.vtu"))
+        self.assertEqual(status, 4)
+        self.assertEqual(made["ridges_of_solid"], 0)
+        self.assertIn("the volume is", " ".join(made["doubts"]))
+        self.assertIn("of the diagonal away at", " ".join(made["doubts"]))
+        self.assertTrue(os.path.exists(self.path("torus.vtu")))
+
+    def test_bad_solids(self):
+        """Each is refused in a line, and nothing is written."""
+        shell = [(x, y, z) for x in range(3) for y in range(3) for z in range(3) if (x, y, z) != (1, 1, 1)]
+        one = cubes([(0, 0, 0)])
+        for name, mesh, complaint in (("two.mesh", cubes([(0, 0, 0), (3, 0, 0)]), "2 pieces"),
+                                      ("cavity.mesh", cubes(shell), "2 components"),
+                                      ("pinch.mesh", cubes([(0, 0, 0), (1, 1, 1)]), "vertex"),
+                                      ("edge.mesh", cubes([(0, 0, 0), (1, 1, 0)]), "edge")):
+            done = run("hex", self.solid(name, *mesh), "-o", self.path("never.vtu"))
+            self.assertEqual((done.returncode, done.stderr.count("\n")), (2, 1), name + done.stderr)
+            self.assertIn(complaint, done.stderr)
+            self.assertFalse(os.path.exists(self.path("never.vtu")))
+        cube = self.solid("cube.mesh", *one)
+        done = run("hex", cube, "--cells", "1000000000")
+        self.assertEqual(done.returncode, 2)
+        self.assertRegex(done.stderr, r"--cells 1000000000: about \d+ GB would be needed, and 4\.0 GB are allowed")
+        done = run("hex", cube, "--edge", "1e-200")
+        self.assertEqual((done.returncode, "would be needed" in done.stderr), (2, True), done.stderr)
+        for arguments, complaint in ((("--edge", "0.1", "--cells", "9"), "exclude"), (("-o", "x.stl"), "no known format"),
+                                     (("--edge", "0"), "--edge"), (("--cells", "0"), "--cells")):
+            done = run("hex", cube, *arguments)
+            self.assertEqual(done.returncode, 2, arguments)
+            self.assertIn(complaint, done.stderr)
+
+    def test_a_thin_sheet(self):
+        """Where planes can lie in its sides it is filled; slanted it is thinner than cells, and the program says so."""
+        points, tetrahedra = cubes([(x, y, 0) for x in range(3) for y in range(3)])
+        flat = self.solid("flat.mesh", [[p[0], p[1], 0.01 * p[2]] for p in points], tetrahedra)
+        status, made = run_json("hex", flat, "--edge", "0.5", "--component", "0", "--repair", "--weld")
+        self.assertEqual((status, made["inverted"]), (0, 0), made)
+        slanted = [[p[0], p[1], 0.001 * p[2] + 0.3 * p[0] + 0.2 * p[1]] for p in points]
+        status, made = run_json("hex", self.solid("slanted.mesh", slanted, tetrahedra), "--edge", "0.5", "-o", self.path("none.vtu"))
+        self.assertEqual((status, made["hexahedra"]), (4, 0))
+        self.assertIn("thinner than the cells", made["doubts"][0])
+        self.assertFalse(os.path.exists(self.path("none.vtu")))
+
+    def test_few_tetrahedra(self):
+        """A cube of six tetrahedra, turned, so that no plane of the grid lies in its sides."""
+        points, tetrahedra = cubes([(0, 0, 0)])
+        turned = [[0.8 * p[0] - 0.6 * p[1], 0.6 * p[0] + 0.8 * p[1], p[2]] for p in points]
+        status, made = run_json("hex", self.solid("turned.mesh", turned, tetrahedra), "--cells", "400")
+        self.assertEqual((status, made["inverted"], made["ridges"]), (0, 0, 12), made)
+        self.assertAlmostEqual(made["volume_ratio"], 1, delta=1e-3)
