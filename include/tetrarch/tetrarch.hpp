@@ -27,6 +27,7 @@
 #include "tetrarch/bundle/vector_field.hpp"
 #include "tetrarch/canonical/canonize.hpp"
 #include "tetrarch/canonical/cells.hpp"
+#include "tetrarch/canonical/cells_proof.hpp"
 #include "tetrarch/canonical/certify.hpp"
 #include "tetrarch/canonical/decorated.hpp"
 #include "tetrarch/canonical/flips.hpp"

@@ -49,7 +49,7 @@ CellsProof certify_cells(const Triangulation& tri, const Skeleton& skeleton,
                          const MergedSolver& solver) {
   CellsProof proof;
   const Decorated<Ball> m = decorate(tri, skeleton, lengths);
-  bool any = false;
+  std::optional<Ball> least_tilt;
   bool any_flat = false;
   for (int t = 0; t < tri.size(); ++t)
     for (int f = 0; f < 4; ++f) {
@@ -61,9 +61,9 @@ CellsProof certify_cells(const Triangulation& tri, const Skeleton& skeleton,
             "face " + std::to_string(f) + " of tetrahedron " + std::to_string(t) + " is not certainly convex";
         return proof;
       }
-      if (!any || tilt < proof.least_tilt) proof.least_tilt = tilt;
-      any = true;
+      if (!least_tilt || tilt < *least_tilt) least_tilt = tilt;
     }
+  if (least_tilt) proof.least_tilt = numeric::to_double(*least_tilt);
   if (!any_flat) {
     proof.criteria.assign(static_cast<std::size_t>(tri.size()), Criterion::tetrahedron);
     proof.certified = true;

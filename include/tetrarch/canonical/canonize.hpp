@@ -17,7 +17,7 @@
 /// but not certified*. Source: Kojima 1990; Frigerio-Petronio 2004; Weeks 1993 for the moves.
 
 #include "tetrarch/canonical/cells.hpp"
-#include "tetrarch/canonical/certify.hpp"
+#include "tetrarch/canonical/cells_proof.hpp"
 #include "tetrarch/canonical/decorated.hpp"
 #include "tetrarch/core/isomorphism.hpp"
 #include "tetrarch/core/progress.hpp"

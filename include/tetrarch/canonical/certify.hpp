@@ -31,33 +31,14 @@
 /// More digits never prove flatness. Source: ours; Kojima 1990 for the cells.
 
 #include "tetrarch/canonical/cells.hpp"
+#include "tetrarch/canonical/cells_proof.hpp"
 #include "tetrarch/hyperbolic/metric.hpp"
 #include "tetrarch/numeric/ball.hpp"
 
 #include <functional>
 #include <optional>
-#include <string>
-#include <vector>
 
 namespace tetrarch::canonical {
-
-/// Which argument proved a cell.
-enum class Criterion {
-  tetrahedron, ///< nothing to prove
-  orbits,      ///< R
-  one_line,    ///< F
-  blocks,      ///< B
-};
-/// "tetrahedron", "R", "F", "B".
-const char* to_string(Criterion criterion);
-
-/// Whether cells were proved, and how.
-struct CellsProof {
-  bool certified = false;
-  std::string why_not;             ///< what is in doubt; empty if nothing is
-  std::vector<Criterion> criteria; ///< of each cell, by its first tetrahedron; of those proved
-  numeric::Ball least_tilt = 0;    ///< of the faces between cells
-};
 
 /// Solves for lengths that are equal in each block, with certainty, as `verified::solve_merged` does.
 using MergedSolver = std::function<std::optional<hyperbolic::Metric<numeric::Ball>>(

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+/// What is known of the proof that cells are the canonical ones; certify.hpp makes it.
+
+#include <string>
+#include <vector>
+
+namespace tetrarch::canonical {
+
+/// Which argument proved a cell.
+enum class Criterion {
+  tetrahedron, ///< nothing to prove
+  orbits,      ///< R
+  one_line,    ///< F
+  blocks,      ///< B
+};
+/// "tetrahedron", "R", "F", "B".
+const char* to_string(Criterion criterion);
+
+/// Whether cells were proved, and how.
+struct CellsProof {
+  bool certified = false;
+  std::string why_not;             ///< what is in doubt; empty if nothing is
+  std::vector<Criterion> criteria; ///< of each cell, by its first tetrahedron; of those proved
+  double least_tilt = 0; ///< of the faces between cells, which is certainly positive; its nearest double
+};
+
+} // namespace tetrarch::canonical
