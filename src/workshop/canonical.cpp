@@ -2,6 +2,7 @@
 #include "tetrarch/workshop/canonical.hpp"
 
 #include "tetrarch/algebra/homology.hpp"
+#include "tetrarch/canonical/certify.hpp"
 #include "tetrarch/canonical/isometries.hpp"
 #include "tetrarch/core/boundary.hpp"
 #include "tetrarch/core/error.hpp"

@@ -4,6 +4,7 @@
 /// Canonical cells with their proofs, for tests.
 
 #include "tetrarch/canonical/canonize.hpp"
+#include "tetrarch/canonical/certify.hpp"
 #include "tetrarch/core/signature.hpp"
 #include "tetrarch/verified/structure.hpp"
 
