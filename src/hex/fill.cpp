@@ -201,10 +201,11 @@ std::optional<Filling> filled_with(const product::Solid& solid, double edge, con
   fit(*cells, match.home, targets, gently, progress);
   std::optional<Match> found = matched(cells->mesh, solid, targets);
   const int ridges = static_cast<int>(targets.features().ridges.size());
+  const bool is_matched = found.has_value();
   if (found) match = *std::move(found);
   Filling filling = measured(solid, best_fit(*cells, match, edge, targets, progress), edge);
   filling.ridges_of_solid = ridges;
-  filling.ridges = found ? ridges : 0;
+  filling.ridges = is_matched ? ridges : 0;
   return filling;
 }
 

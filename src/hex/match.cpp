@@ -324,10 +324,12 @@ Match unmatched(const product::HexMesh& mesh) {
 std::optional<Match> matched(const product::HexMesh& mesh, const product::Solid& solid,
                              const Targets& targets) {
   std::vector<std::pair<double, int>> by_length;
+  by_length.reserve(targets.features().ridges.size());
   for (int r = 0; r < static_cast<int>(targets.features().ridges.size()); ++r)
     by_length.emplace_back(length_of(targets.ridge(r)), r);
   std::sort(by_length.begin(), by_length.end()); // short ones have the least choice
   std::vector<int> order;
+  order.reserve(by_length.size());
   for (const auto& [length, r] : by_length) order.push_back(r);
   // Whoever finds no way goes first in the next attempt.
   constexpr int most_attempts = 12;

@@ -147,6 +147,26 @@ TEST_CASE("cells that touch along an edge or at a point are mended", "[hex]") {
     REQUIRE(chosen);
     CHECK(euler(cells_of(marked.grid, *chosen).mesh) == 2);
   }
+  // A notch in the top of a block and a shaft from below that meet at a point: outside hangs together there,
+  // too.
+  std::set<std::array<int, 3>> block;
+  for (int x = 1; x < 5; ++x)
+    for (int y = 1; y < 5; ++y)
+      for (int z = 1; z < 5; ++z) block.insert({x, y, z});
+  block.erase({2, 2, 4});
+  for (int z = 1; z < 4; ++z) block.erase({3, 3, z});
+  const Marked notched(6, block);
+  const auto mended = chosen_cells(notched.grid, notched.filled, 0);
+  REQUIRE(mended);
+  const product::HexMesh mesh = cells_of(notched.grid, *mended).mesh;
+  std::map<std::pair<int, int>, int> squares;
+  for (const SurfaceSquare& s : surface_of(mesh))
+    for (std::size_t k = 0; k < 4; ++k) {
+      const int a = mesh.hexahedra[s.hexahedron][product::outward_sides[s.side][k]];
+      const int b = mesh.hexahedra[s.hexahedron][product::outward_sides[s.side][(k + 1) % 4]];
+      ++squares[{std::min(a, b), std::max(a, b)}];
+    }
+  CHECK(std::all_of(squares.begin(), squares.end(), [](const auto& e) { return e.second == 2; }));
   // A ring of eight cells has genus 1, and is no ball; nor is it a ring where one is missing.
   std::set<std::array<int, 3>> ring;
   for (int x = 1; x < 4; ++x)
