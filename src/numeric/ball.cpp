@@ -251,6 +251,11 @@ Sign sign(const Ball& x) {
   return arb_is_negative(raw(x)) != 0 ? Sign::negative : Sign::undecided;
 }
 
+void take_memory_from(void* (*allocate)(std::size_t), void* (*allocate_cleared)(std::size_t, std::size_t),
+                      void* (*reallocate)(void*, std::size_t), void (*release)(void*)) {
+  __flint_set_memory_functions(allocate, allocate_cleared, reallocate, release);
+}
+
 double to_double(const Ball& x) {
   return arf_get_d(arb_midref(raw(x)), ARF_RND_NEAR);
 }

@@ -129,7 +129,7 @@ class Texts(unittest.TestCase):
         self.assertTrue({"fmp2.json", "fmp3.json", "triangulation.schema.json"} <= {path.name for path in census})
         for path in census:
             self.assertEqual((share / "tetrarch" / path).read_bytes(), (SOURCE / path).read_bytes(), path)
-        guide = {path.name for path in (SOURCE / "tools/guide").glob("*.*") if path.suffix in (".md", ".png", ".svg")}
+        guide = {path.name for path in (SOURCE / "tools/guide").glob("*.*") if path.suffix in (".md", ".png", ".svg", ".ipynb")}
         self.assertEqual({path.name for path in (self.folder / "guide").iterdir()}, guide)
 
     def test_their_links_lead_somewhere(self):

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "memory.hpp"
 
+#include "tetrarch/numeric/ball.hpp"
+
 #include <algorithm>
 #include <atomic>
 #include <cstddef>
@@ -40,12 +42,19 @@ void* allocated(const Allocate& allocate) {
   return block;
 }
 
-// GMP, and MPFR with it, would abort.
-void* gmp_allocate(std::size_t size) {
+// GMP, and MPFR with it, and FLINT would abort.
+void* allocate(std::size_t size) {
   return allocated([size] { return std::malloc(size); });
 }
+void* allocate_cleared(std::size_t count, std::size_t size) {
+  return allocated([count, size] { return std::calloc(count, size); });
+}
+void* reallocate(void* old, std::size_t size) {
+  return allocated(
+      [old, size] { return std::realloc(old, std::max<std::size_t>(size, 1)); }); // of 0 it gives null
+}
 void* gmp_reallocate(void* old, std::size_t, std::size_t size) {
-  return allocated([old, size] { return std::realloc(old, size); });
+  return reallocate(old, size);
 }
 void gmp_free(void* old, std::size_t) {
   std::free(old);
@@ -92,7 +101,8 @@ void prepare_for_want(char** arguments) {
   restore_reserves();
   if (reserve_to_go_on.load() == nullptr || reserve_to_complain.load() == nullptr) throw std::bad_alloc();
   std::set_new_handler(give_up);
-  mp_set_memory_functions(gmp_allocate, gmp_reallocate, gmp_free);
+  mp_set_memory_functions(allocate, gmp_reallocate, gmp_free);
+  numeric::take_memory_from(allocate, allocate_cleared, reallocate, std::free);
 }
 
 double usual_memory() {

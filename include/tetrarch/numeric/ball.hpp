@@ -21,6 +21,7 @@
 #include "tetrarch/numeric/scalar.hpp"
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <string>
@@ -116,6 +117,10 @@ Sign sign(const Ball& x);
 
 /// The double nearest to the midpoint.
 double to_double(const Ball& x);
+/// Where all balls take their memory from, in place of functions that abort where there is none. They may
+/// throw. To be called before the first ball is made.
+void take_memory_from(void* (*allocate)(std::size_t), void* (*allocate_cleared)(std::size_t, std::size_t),
+                      void* (*reallocate)(void*, std::size_t), void (*release)(void*));
 /// How many leading binary digits of x are certain; at most a few more than the working precision, and
 /// negative where none is.
 int certain_bits(const Ball& x);
