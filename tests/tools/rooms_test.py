@@ -70,7 +70,7 @@ class Compiler(unittest.TestCase):
         self.assertEqual(seen("bundle"), {"numeric", "core", "mesh", "bundle"})
         self.assertEqual(seen("product"), {"numeric", "core", "algebra", "mesh", "slit", "unfold", "product"})
         # Headers of embed include headers of algebra and hyperbolic.
-        self.assertEqual(seen("show"), {"numeric", "core", "bundle", "embed", "format", "mesh", "product", "scene", "show", "slit"})
+        self.assertEqual(seen("show"), {"numeric", "core", "bundle", "diagram", "embed", "format", "mesh", "product", "scene", "show", "slit"})
 
     def test_the_header_of_headers_is_for_others(self):
         for room in ("core", "show"):

@@ -8,10 +8,9 @@
 ///     open_triangulation("body.mesh")         a file (its format found from its content): a mesh of
 ///                                             tetrahedra, a closed surface, which TetGen fills, or gluings
 ///     open_triangulation("knots.rga#3")       one of several in a file (element.hpp)
-///     open_triangulation("braid 1 -2 1 -2")   the code of a diagram, whose exterior it becomes; or a file of one
-///     open_triangulation("4_1")               a knot of Rolfsen's table
-///     open_triangulation("-")                 standard input
-///     open_triangulation("{ ... }")           JSON spelled out
+///     open_triangulation("braid 1 -2 1 -2")   the code of a diagram, whose exterior it becomes; or a file of
+///     one open_triangulation("4_1")               a knot of Rolfsen's table open_triangulation("-") standard
+///     input open_triangulation("{ ... }")           JSON spelled out
 ///
 /// What a read passed over and what else it has to say stands in `passed_over` and `warnings` of the result.
 
