@@ -107,7 +107,7 @@ Draft from_passages(const std::vector<std::vector<Passage>>& components, CodeTex
   std::vector<std::array<int, 4>> round;
   if (!embed(wheels.graph, crossings, round)) text.fail("no plane diagram has this code");
   Draft draft;
-  std::vector<int> dart_of(static_cast<std::size_t>(wheel * crossings), -1);
+  std::vector<int> dart_of(static_cast<std::size_t>(wheel) * static_cast<std::size_t>(crossings), -1);
   for (int c = 0; c < crossings; ++c) {
     const int dart = draft.add_node(4, true, 0);
     for (int k = 0; k < 4; ++k) dart_of[round[c][k]] = dart + k;

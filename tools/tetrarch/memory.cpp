@@ -19,6 +19,12 @@
 namespace tetrarch::program {
 namespace {
 
+#ifdef __SANITIZE_ADDRESS__
+constexpr bool has_shadow = true;
+#else
+constexpr bool has_shadow = false;
+#endif
+
 constexpr std::size_t reserve_size = std::size_t{1} << 18;
 std::atomic<void*> reserve_to_go_on{nullptr};
 std::atomic<void*> reserve_to_complain{nullptr};
@@ -113,15 +119,13 @@ double usual_memory() {
   return share * std::min(machine, group) / 1e9;
 }
 
-void bound_memory([[maybe_unused]] double gigabytes) {
-#ifndef __SANITIZE_ADDRESS__
+void bound_memory(double gigabytes) {
   rlimit data{};
-  if (getrlimit(RLIMIT_DATA, &data) != 0) return;
+  if (has_shadow || getrlimit(RLIMIT_DATA, &data) != 0) return;
   const double most = std::min(1e9 * gigabytes + bytes_of_program(), static_cast<double>(data.rlim_max));
   data.rlim_cur = most < static_cast<double>(std::numeric_limits<rlim_t>::max()) ? static_cast<rlim_t>(most)
                                                                                  : data.rlim_max;
   setrlimit(RLIMIT_DATA, &data);
-#endif
 }
 
 void restore_reserves() {
