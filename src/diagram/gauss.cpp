@@ -112,7 +112,8 @@ Draft from_passages(const std::vector<std::vector<Passage>>& components, CodeTex
     const int dart = draft.add_node(4, true, 0);
     for (int k = 0; k < 4; ++k) dart_of[round[c][k]] = dart + k;
     // The first passage has rim points 0 and 2.
-    const bool first_is_even = (dart_of[wheel * c] - dart) % 2 == 0;
+    const bool first_is_even =
+        (dart_of[static_cast<std::size_t>(wheel) * static_cast<std::size_t>(c)] - dart) % 2 == 0;
     draft.nodes.back().over = first_is_even == first_is_over[c] ? 0 : 1;
   }
   for (const auto& [a, b] : wheels.arcs) draft.join(dart_of[a], dart_of[b]);
