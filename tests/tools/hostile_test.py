@@ -11,7 +11,7 @@ import tempfile
 import time
 import unittest
 
-from running import PROGRAM, InFolder, run, run_json
+from running import INSTRUMENTED, PROGRAM, InFolder, run, run_json
 
 ODD = "0.84375"  # a coordinate that stands once in the file, exact as a float
 TETRAHEDRON = f"OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 {ODD}\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n"
@@ -245,6 +245,7 @@ class Bounds(Refusals):
             self.assertIn("generators", done.stderr)
             self.assertLess(work, 2)
 
+    @unittest.skipIf(INSTRUMENTED, "memory is not bounded there")
     @unittest.skipIf((os.cpu_count() or 1) > 4, "each processor adds a buffer of OpenBLAS to what is allowed")
     def test_memory_has_an_end(self):
         big = self.path("rings.sig", "cPcbbbihq\n" * 400_000)
@@ -253,6 +254,7 @@ class Bounds(Refusals):
         self.assertIn("0.0 GB allowed (--memory)", complaint)
         self.assertEqual(run("info", "cPcbbbihq", "--memory", "0.01").returncode, 0)
 
+    @unittest.skipIf(INSTRUMENTED, "the program does not start there")
     def test_a_small_address_space(self):
         for kilobytes in (150_000, 200_000, 400_000):  # OpenBLAS's threads would wait for their buffers for ever
             done = subprocess.run(f"ulimit -v {kilobytes}; exec '{PROGRAM}' info cPcbbbihq", shell=True, capture_output=True,

@@ -9,6 +9,8 @@ import unittest
 
 PROGRAM = os.path.abspath(sys.argv[1])
 SOURCE = os.path.abspath(sys.argv[2])
+with open(PROGRAM, "rb") as program:
+    INSTRUMENTED = b"__asan_init" in program.read()  # AddressSanitizer's shadow takes terabytes of addresses
 TYPED = []  # (arguments, exit status) of every run
 
 
