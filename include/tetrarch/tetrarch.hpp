@@ -33,6 +33,7 @@
 #include "tetrarch/canonical/flips.hpp"
 #include "tetrarch/canonical/hull.hpp"
 #include "tetrarch/canonical/isometries.hpp"
+#include "tetrarch/catalogue/cusped.hpp"
 #include "tetrarch/catalogue/manifold.hpp"
 #include "tetrarch/catalogue/validate.hpp"
 #include "tetrarch/checker/check.hpp"

@@ -25,7 +25,7 @@ std::string reason(int error) {
 }
 
 [[noreturn]] void fail(const std::string& path, const std::string& what) {
-  throw InputError(Place{source_name(path), 0}, what);
+  throw InputError(Place{source_name(path), 0}, what, Cause::file);
 }
 
 /// An open file that closes itself.
