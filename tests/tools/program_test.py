@@ -23,7 +23,7 @@ from hostile_test import *  # noqa: F401,F403: files and surroundings that mean 
 from inputs_test import *  # noqa: F401,F403: what stands for a triangulation
 from meshes_test import *  # noqa: F401,F403: meshes from elsewhere, and mending them
 from options_test import *  # noqa: F401,F403: the tests of options that stand nowhere else
-from running import PROGRAM, InFolder, SOURCE, run, run_json, unused_options
+from running import PROGRAM, InFolder, SOURCE, medit, run, run_json, unused_options
 
 
 class Info(unittest.TestCase):
@@ -413,18 +413,10 @@ class Identify(unittest.TestCase):
 KNOTTED_Y = os.path.join(SOURCE, "tests/data/knotted_y_8k.mesh")
 
 
-def medit(points, tetrahedra):
-    """A MEDIT file; tetrahedron k, counted from 0, stands on line 7 + k + the number of points."""
-    lines = ["MeshVersionFormatted 2", "Dimension 3", "Vertices", str(len(points))]
-    lines += ["%g %g %g 0" % p for p in points]
-    lines += ["Tetrahedra", str(len(tetrahedra))] + ["%d %d %d %d 0" % t for t in tetrahedra] + ["End", ""]
-    return "\n".join(lines)
-
-
 def cubes(n):
     """A cube of n^3 cubes, each split along its diagonal into six tetrahedra."""
     def point(x, y, z):
-        return (x * (n + 1) + y) * (n + 1) + z + 1
+        return (x * (n + 1) + y) * (n + 1) + z
     points = [(x, y, z) for x in range(n + 1) for y in range(n + 1) for z in range(n + 1)]
     steps = [((1, 0, 0), (1, 1, 0)), ((1, 0, 0), (1, 0, 1)), ((0, 1, 0), (1, 1, 0)), ((0, 1, 0), (0, 1, 1)),
              ((0, 0, 1), (1, 0, 1)), ((0, 0, 1), (0, 1, 1))]
@@ -472,7 +464,7 @@ class Meshes(unittest.TestCase):
 
     def test_repair(self):
         points = [(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1), (1, 1, 1), (9, 9, 9)]
-        text = medit(points, [(1, 2, 3, 4), (2, 3, 4, 5), (4, 3, 2, 1), (5, 4, 3, 2)])
+        text = medit(points, [(0, 1, 2, 3), (1, 2, 3, 4), (3, 2, 1, 0), (4, 3, 2, 1)])
         refused = run("info", "-", stdin=text)
         self.assertEqual(refused.returncode, 2)
         self.assertIn("standard input:15:", refused.stderr)
@@ -485,13 +477,13 @@ class Meshes(unittest.TestCase):
     def test_bad_meshes(self):
         points = [(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1), (1, 1, 1), (-1, -1, -1), (2, 2, 0), (0, 2, 2)]
         cases = {
-            "index out of range": ([(1, 2, 3, 9)], "15"),
-            "repeated vertex": ([(1, 2, 3, 3)], "15"),
-            "duplicate": ([(1, 2, 3, 4), (2, 1, 3, 4)], "16"),
-            "face shared by three": ([(1, 2, 3, 4), (1, 2, 3, 5), (1, 2, 3, 6)], None),
-            "edge in the middle of nothing": ([(1, 2, 3, 4), (1, 2, 5, 6)], None),
-            "vertex in the middle of nothing": ([(1, 2, 3, 4), (1, 5, 6, 7)], None),
-            "two components": ([(1, 2, 3, 4), (5, 6, 7, 8)], None),
+            "index out of range": ([(0, 1, 2, 8)], "15"),
+            "repeated vertex": ([(0, 1, 2, 2)], "15"),
+            "duplicate": ([(0, 1, 2, 3), (1, 0, 2, 3)], "16"),
+            "face shared by three": ([(0, 1, 2, 3), (0, 1, 2, 4), (0, 1, 2, 5)], None),
+            "edge in the middle of nothing": ([(0, 1, 2, 3), (0, 1, 4, 5)], None),
+            "vertex in the middle of nothing": ([(0, 1, 2, 3), (0, 4, 5, 6)], None),
+            "two components": ([(0, 1, 2, 3), (4, 5, 6, 7)], None),
             "no tetrahedra": ([], None),
         }
         for name, (tetrahedra, line) in cases.items():
@@ -507,7 +499,7 @@ class Meshes(unittest.TestCase):
 
     def test_check_tells_everything_by_element_and_line(self):
         points = [(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1), (1, 1, 1), (9, 9, 9)]
-        text = medit(points, [(1, 2, 3, 4), (2, 3, 4, 4), (4, 3, 2, 1), (2, 4, 3, 5), (1, 2, 3, 7)])
+        text = medit(points, [(0, 1, 2, 3), (1, 2, 3, 3), (3, 2, 1, 0), (1, 3, 2, 4), (0, 1, 2, 6)])
         done = run("check", "-", "--json", stdin=text)
         report = json.loads(done.stdout)
         self.assertEqual(done.returncode, 1)
@@ -1079,13 +1071,7 @@ class Product(InFolder):
         return done.stderr
 
     def write(self, name, points, tetrahedra):
-        with open(self.path(name), "w", encoding="utf-8") as file:
-            file.write("MeshVersionFormatted 2\nDimension 3\nVertices\n%d\n" % len(points))
-            file.writelines("%r %r %r 0\n" % tuple(p) for p in points)
-            file.write("Tetrahedra\n%d\n" % len(tetrahedra))
-            file.writelines("%d %d %d %d 0\n" % tuple(v + 1 for v in t) for t in tetrahedra)
-            file.write("End\n")
-        return self.path(name)
+        return self.path(name, medit(points, tetrahedra))
 
     def read(self, path):
         """Points, tetrahedra and labelled triangles of a MEDIT file."""
