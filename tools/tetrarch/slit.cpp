@@ -40,6 +40,7 @@ struct Options {
   std::string distance;
   bool mirror = false;
   bool unflip = false;
+  bool balance = false;
   bool allow_flips = false;
   bool intrinsic = false;
   int stage = -1;
@@ -47,7 +48,9 @@ struct Options {
   int quads = 0;
   Doctor doctor;
 
-  bool is_circular() const { return domain == "circular"; }
+  bool is_free() const { return domain == "free"; }
+  /// Whether the map begins with round holes.
+  bool is_circular() const { return domain == "circular" || is_free(); }
   bool is_ricci() const { return method == "ricci"; }
 };
 
@@ -72,13 +75,16 @@ void check(const Options& options) {
       throw InputError({path, 0}, "this command writes no file with this extension (expected .json, .obj, "
                                   ".vtu, .svg, .glb, .ply or .html)");
   }
+  if (options.is_free() && options.balance)
+    throw InputError("--balance is for the other domains; --domain free is balanced as it is");
+  if (options.is_free() && options.stage >= 0) throw InputError("--stage needs --domain circular");
   if (!options.is_circular() && options.stage >= 0) throw InputError("--stage needs --domain circular");
   if (!options.is_circular() && options.is_ricci())
     throw InputError("--method ricci needs --domain circular");
   if (options.is_ricci() && options.stage >= 0) throw InputError("--stage needs --method harmonic");
   if (!options.is_circular() && !options.center.empty()) throw InputError("--center needs --domain circular");
   if (options.is_circular() && options.quads > 0)
-    throw InputError("--quads needs a domain with slits, and --domain circular has none");
+    throw InputError("--quads needs a domain with slits, and --domain " + options.domain + " has none");
 }
 
 /// A map with everything that is told of it.
@@ -98,7 +104,14 @@ void add(Made& made, const slit::Distortion& distortion) {
                            {"log_factor", distortion.log_factor}};
 }
 
-Made make_slits(const slit::OneForms& forms, slit::SlitMap map, const Options& options) {
+/// What was balanced, and how it was before.
+void add(Made& made, const slit::Balanced& balanced, const slit::Distortion& before) {
+  made.report.add(balanced_report(balanced, before));
+  made.found = made.found && balanced.settled;
+}
+
+Made make_slits(const slit::OneForms& forms, slit::SlitMap map, const Options& options,
+                const Progress& progress) {
   const SlitDomain domain = domain_named(options.domain);
   const bool on_ring = domain == SlitDomain::concentric;
   if (on_ring) in_file(options.input, [&] { slit::require_radii(map); });
@@ -112,7 +125,17 @@ Made make_slits(const slit::OneForms& forms, slit::SlitMap map, const Options& o
   const slit::Unflipped moved =
       on_ring ? slit::unflip_on_ring(forms, map, which) : slit::unflip_on_cylinder(forms, map, which);
   if (options.unflip || moved.moved > 0) made.report.add(unflipped_report(moved));
-  add(made, on_ring ? slit::distortion_on_ring(forms, map) : slit::distortion_on_cylinder(forms, map));
+  const auto distortion = [&] {
+    return on_ring ? slit::distortion_on_ring(forms, map) : slit::distortion_on_cylinder(forms, map);
+  };
+  if (options.balance) {
+    const slit::Distortion before = distortion();
+    add(made,
+        on_ring ? slit::balance_on_ring(forms, map, progress)
+                : slit::balance_on_cylinder(forms, map, progress),
+        before);
+  }
+  add(made, distortion());
   made.report.add(residuals_report(residuals));
   made.fields.vertices = {{"log_radius", map.log_radius}, {"angle", map.angle}};
   for (int k = 0; k < forms.loop_count(); ++k)
@@ -125,22 +148,46 @@ Made make_slits(const slit::OneForms& forms, slit::SlitMap map, const Options& o
   return made;
 }
 
-Made make_circles(mesh::TriangleMesh mesh, slit::CircularMap map, const Options& options) {
+/// The domain's shape is that of least distortion.
+void make_free(Made& made, const slit::CircularMap& map, const Progress& progress) {
+  const slit::Distortion before = slit::distortion_in_plane(made.mesh, map.position);
+  const slit::FreeMap free = slit::free_map(made.mesh, map.position, progress);
+  add(made, free.balanced, before);
+  add(made, slit::distortion_in_plane(made.mesh, free.position));
+  made.report.json["crossings"] = free.crossings;
+  if (free.crossings > 0) {
+    made.report.warnings.push_back("the domain overlaps itself: " + counted(free.crossings, "pair") +
+                                   " of its boundary edges cross");
+    made.found = false;
+  }
+  made.layout = show::plane_layout(made.mesh, free.position, "free domain");
+}
+
+Made make_circles(mesh::TriangleMesh mesh, slit::CircularMap map, const Options& options,
+                  const Progress& progress) {
   Made made;
   made.mesh = std::move(mesh);
-  made.report = circles_report(map);
+  if (!options.is_free()) made.report = circles_report(map);
   made.found = map.domain.found;
   if (!made.found)
     made.report.warnings.emplace_back("the budget of rounds ended before the circles became round");
   const slit::Unflip which = options.unflip ? slit::Unflip::everywhere : slit::Unflip::at_slits;
   const slit::Unflipped moved = slit::unflip_in_disk(made.mesh, map, which);
   if (options.unflip || moved.moved > 0) made.report.add(unflipped_report(moved));
+  if (options.is_free()) {
+    make_free(made, map, progress);
+    return made;
+  }
+  if (options.balance) {
+    const slit::Distortion before = slit::distortion_in_disk(made.mesh, map);
+    add(made, slit::balance_in_disk(made.mesh, map, progress), before);
+  }
   add(made, slit::distortion_in_disk(made.mesh, map));
   made.layout = show::disk_layout(made.mesh, map.position);
   return made;
 }
 
-Made make_disk(const mesh::OpenedMesh& surface, const Options& options) {
+Made make_disk(const mesh::OpenedMesh& surface, const Options& options, const Progress& progress) {
   const int center = options.center.empty() ? slit::innermost_vertex(surface.mesh)
                                             : vertex_named(options.center, "--center", surface);
   if (center < 0)
@@ -150,7 +197,7 @@ Made make_disk(const mesh::OpenedMesh& surface, const Options& options) {
     return options.is_ricci() ? slit::ricci_circles(surface.mesh, 0, -1).map
                               : slit::disk_map(surface.mesh, center);
   });
-  Made made = make_circles(surface.mesh, std::move(map), options);
+  Made made = make_circles(surface.mesh, std::move(map), options, progress);
   made.report.json["center"] = surface.number[center];
   return made;
 }
@@ -177,7 +224,7 @@ slit::LoopPair chosen(const mesh::OpenedMesh& surface, const std::vector<mesh::B
 
 Made make(const mesh::OpenedMesh& surface, const std::vector<mesh::BoundaryLoop>& loops,
           const Options& options, const Progress& progress) {
-  if (loops.size() == 1) return make_disk(surface, options);
+  if (loops.size() == 1) return make_disk(surface, options, progress);
   const slit::LoopPair circles = chosen(surface, loops, options);
   if (options.is_ricci()) {
     Made made = make_circles(
@@ -186,7 +233,7 @@ Made make(const mesh::OpenedMesh& surface, const std::vector<mesh::BoundaryLoop>
                 [&] {
                   return slit::ricci_circles(surface.mesh, circles.outer, circles.inner, {}, progress).map;
                 }),
-        options);
+        options, progress);
     made.report.json["outer"] = circles.outer;
     made.report.json["inner"] = circles.inner;
     return made;
@@ -200,14 +247,15 @@ Made make(const mesh::OpenedMesh& surface, const std::vector<mesh::BoundaryLoop>
     throw InputError("--basis " + std::to_string(options.basis) + ": the last loop is " +
                      std::to_string(forms.loop_count() - 1));
   if (options.basis >= 0) {
-    Made made = make_slits(forms, std::move(map), options);
+    Made made = make_slits(forms, std::move(map), options, progress);
     made.layout = show::basis_layout(forms, options.basis);
     return made;
   }
-  if (!options.is_circular()) return make_slits(forms, std::move(map), options);
+  if (!options.is_circular()) return make_slits(forms, std::move(map), options, progress);
   const slit::CircularMap circular =
       in_file(options.input, [&] { return slit::circular_map(forms, map, {}, progress); });
-  Made made = make_circles(surface.mesh, circular, options);
+  Made made = make_circles(surface.mesh, circular, options, progress);
+  if (options.is_free()) return made;
   Report slits = map_report(map, true);
   slits.add(std::move(made.report));
   made.report = std::move(slits);
@@ -392,9 +440,9 @@ Run declare_slit(OptionTable& table) {
   table.add("SURFACE", o->input, "a sphere with holes: OBJ, OFF, PLY or STL").required();
   table
       .add("--domain", o->domain,
-           "the domain: a cylinder with slits, its unrolling to a rectangle, a ring with slits, or a disk "
-           "with round holes")
-      .one_of({"cylindric", "parallel", "concentric", "circular"})
+           "the domain: a cylinder with slits, its unrolling to a rectangle, a ring with slits, a disk with "
+           "round holes, or a flat shape of least distortion in the unit of the surface")
+      .one_of({"cylindric", "parallel", "concentric", "circular", "free"})
       .with_default();
   table
       .add("--outer", o->outer,
@@ -434,6 +482,9 @@ Run declare_slit(OptionTable& table) {
   table.add("--mirror", o->mirror,
             "let --distance compare with the mirror image of the other surface as well");
   table.add("--unflip", o->unflip, "move vertices near inverted triangles until no triangle is inverted");
+  table.add("--balance", o->balance,
+            "distort areas less at the cost of angles: move vertices, those of loops along their circles and "
+            "slits, until the symmetric Dirichlet energy is least");
   table.add("--allow-flips", o->allow_flips, "status 0 although triangles are inverted (without it: 4)");
   table.add("--intrinsic", o->intrinsic,
             "solve on the intrinsic Delaunay triangulation, which is better for obtuse triangles");

@@ -104,20 +104,46 @@ Report unflipped_report(const slit::Unflipped& unflipped) {
   return report;
 }
 
+Report balanced_report(const slit::Balanced& balanced, const slit::Distortion& before) {
+  Report report;
+  report.json["balanced"] = {{"energy_before", finite_or_null(balanced.before)},
+                             {"energy", finite_or_null(balanced.after)},
+                             {"steps", balanced.steps},
+                             {"settled", balanced.settled},
+                             {"left_out", balanced.left_out},
+                             {"mean_area_error_before", before.mean_area_error},
+                             {"max_area_error_before", before.max_area_error},
+                             {"mean_angle_error_before", before.mean_angle_error},
+                             {"mean_quasiconformal_before", before.mean_quasi_conformal}};
+  report.rows = {{"balanced", "energy " + rounded(balanced.before) + " to " + rounded(balanced.after) +
+                                  " in " + counted(balanced.steps, "step")},
+                 {"before", "area errors mean " + fixed(before.mean_area_error, 4) + ", greatest " +
+                                fixed(before.max_area_error, 4) + "; angle errors mean " +
+                                scientific(before.mean_angle_error, 1)}};
+  if (!balanced.settled)
+    report.warnings.emplace_back("the energy of the map still fell when its budget of steps ended, or areas "
+                                 "are too unequal for doubles; it may not be the least");
+  return report;
+}
+
 Report distortion_report(const slit::Distortion& d) {
   Report report;
   report.json = {{"max_angle_error", d.max_angle_error},
                  {"mean_angle_error", d.mean_angle_error},
                  {"max_quasiconformal", d.max_quasi_conformal},
                  {"mean_quasiconformal", d.mean_quasi_conformal},
+                 {"max_area_error", d.max_area_error},
+                 {"mean_area_error", d.mean_area_error},
                  {"flipped", d.flipped.size()},
                  {"ears", d.ears}};
   const auto flipped = static_cast<long long>(d.flipped.size());
-  report.rows = {{"angle errors", "mean " + scientific(d.mean_angle_error, 1) + ", greatest " +
-                                      scientific(d.max_angle_error, 1)},
-                 {"quasi-conformal", "mean " + fixed(d.mean_quasi_conformal, 4) + ", greatest " +
-                                         fixed(d.max_quasi_conformal, 4)},
-                 {"flipped", flipped == 0 ? "none" : triangles(flipped)}};
+  report.rows = {
+      {"angle errors",
+       "mean " + scientific(d.mean_angle_error, 1) + ", greatest " + scientific(d.max_angle_error, 1)},
+      {"quasi-conformal",
+       "mean " + fixed(d.mean_quasi_conformal, 4) + ", greatest " + fixed(d.max_quasi_conformal, 4)},
+      {"area errors", "mean " + fixed(d.mean_area_error, 4) + ", greatest " + fixed(d.max_area_error, 4)},
+      {"flipped", flipped == 0 ? "none" : triangles(flipped)}};
   if (flipped > 0)
     report.warnings.push_back(triangles(flipped) + (flipped == 1 ? " is" : " are") +
                               " inverted or flat, the first is " + std::to_string(d.flipped.front()) +

@@ -6,6 +6,7 @@
 #include "report.hpp"
 
 #include "tetrarch/mesh/opened.hpp"
+#include "tetrarch/slit/balance.hpp"
 #include "tetrarch/slit/circular_map.hpp"
 #include "tetrarch/slit/fingerprint.hpp"
 #include "tetrarch/slit/quads.hpp"
@@ -21,6 +22,8 @@ Report loops_report(const mesh::OpenedMesh& surface, const std::vector<mesh::Bou
 Report map_report(const slit::SlitMap& map, bool on_ring);
 Report circles_report(const slit::CircularMap& map);
 Report unflipped_report(const slit::Unflipped& unflipped);
+/// `before`: what the distortion was.
+Report balanced_report(const slit::Balanced& balanced, const slit::Distortion& before);
 Report distortion_report(const slit::Distortion& distortion);
 Report residuals_report(const slit::Residuals& residuals);
 Report quads_report(const slit::QuadMesh& quads);
