@@ -17,9 +17,12 @@
 #include "tetrarch/slit/ricci.hpp"
 #include "tetrarch/workshop/element.hpp"
 
+#include <array>
 #include <chrono>
+#include <cmath>
 #include <memory>
 #include <optional>
+#include <sstream>
 
 namespace tetrarch::program {
 namespace {
@@ -46,8 +49,12 @@ struct Options {
   int stage = -1;
   int basis = -1;
   int quads = 0;
+  double quad_edge = 0;
+  std::string corners;
   Doctor doctor;
 
+  bool has_quads() const { return quads > 0 || quad_edge > 0; }
+  bool is_rectangle() const { return domain == "rectangle"; }
   bool is_free() const { return domain == "free"; }
   /// Whether the map begins with round holes.
   bool is_circular() const { return domain == "circular" || is_free(); }
@@ -68,8 +75,8 @@ void check(const Options& options) {
   for (const std::string& path : options.outputs) {
     require_folder(path);
     const auto format = scene::scene_format_for_extension(path);
-    if (options.quads == 0 && is_json(path)) continue;
-    if (options.quads > 0 && (!format || format == scene::SceneFormat::vtu))
+    if (!options.has_quads() && is_json(path)) continue;
+    if (options.has_quads() && (!format || format == scene::SceneFormat::vtu))
       throw InputError({path, 0}, "quads are written as .obj, .glb or .ply");
     if (!format && !format::has_extension(path, ".svg") && !format::has_extension(path, ".html"))
       throw InputError({path, 0}, "this command writes no file with this extension (expected .json, .obj, "
@@ -83,7 +90,12 @@ void check(const Options& options) {
     throw InputError("--method ricci needs --domain circular");
   if (options.is_ricci() && options.stage >= 0) throw InputError("--stage needs --method harmonic");
   if (!options.is_circular() && !options.center.empty()) throw InputError("--center needs --domain circular");
-  if (options.is_circular() && options.quads > 0)
+  if (!options.corners.empty() && !options.is_rectangle())
+    throw InputError("--corners needs --domain rectangle");
+  if (options.is_rectangle() && (options.balance || options.unflip))
+    throw InputError("--domain rectangle takes neither --balance nor --unflip");
+  if (options.quads > 0 && options.quad_edge > 0) throw InputError("give --quads or --quad-edge, not both");
+  if ((options.is_circular() || options.is_rectangle()) && options.has_quads())
     throw InputError("--quads needs a domain with slits, and --domain " + options.domain + " has none");
 }
 
@@ -94,12 +106,16 @@ struct Made {
   show::Fields fields;
   Report report;
   std::optional<slit::QuadMesh> quads;
+  std::size_t flipped = 0;    ///< triangles
+  double quasi_conformal = 0; ///< the mean
   bool found = true;
 };
 
 /// Told, and kept for files.
 void add(Made& made, const slit::Distortion& distortion) {
   made.report.add(distortion_report(distortion));
+  made.flipped = distortion.flipped.size();
+  made.quasi_conformal = distortion.mean_quasi_conformal;
   made.fields.triangles = {{"quasi_conformal", distortion.quasi_conformal},
                            {"log_factor", distortion.log_factor}};
 }
@@ -108,6 +124,17 @@ void add(Made& made, const slit::Distortion& distortion) {
 void add(Made& made, const slit::Balanced& balanced, const slit::Distortion& before) {
   made.report.add(balanced_report(balanced, before));
   made.found = made.found && balanced.settled;
+}
+
+/// How many quads around the ring have edges of this length in the mean.
+int around_for(const mesh::TriangleMesh& mesh, const slit::SlitMap& map, double edge) {
+  const double around = slit::quads_around(mesh, map, edge);
+  constexpr double fewest = 3;
+  constexpr double most = 1'000'000;
+  if (!(around > fewest - 0.5 && around < most))
+    throw InputError("--quad-edge " + rounded(edge) + ": this makes " + rounded(around) +
+                     " quads around the ring, and 3 to 1000000 are possible");
+  return static_cast<int>(std::lround(around));
 }
 
 Made make_slits(const slit::OneForms& forms, slit::SlitMap map, const Options& options,
@@ -141,8 +168,9 @@ Made make_slits(const slit::OneForms& forms, slit::SlitMap map, const Options& o
   for (int k = 0; k < forms.loop_count(); ++k)
     made.fields.vertices.push_back({"potential_" + std::to_string(k), forms.potential(k)});
   made.layout = show::layout(forms, map, domain);
-  if (options.quads > 0) {
-    made.quads = slit::quads(forms, map, options.quads);
+  if (options.has_quads()) {
+    const int around = options.quads > 0 ? options.quads : around_for(forms.mesh(), map, options.quad_edge);
+    made.quads = slit::quads(forms, map, around);
     made.report.add(quads_report(*made.quads));
   }
   return made;
@@ -222,8 +250,45 @@ slit::LoopPair chosen(const mesh::OpenedMesh& surface, const std::vector<mesh::B
           loop_named(options.inner.empty() ? "1" : options.inner, "--inner", surface, loops)};
 }
 
-Made make(const mesh::OpenedMesh& surface, const std::vector<mesh::BoundaryLoop>& loops,
-          const Options& options, const Progress& progress) {
+Made make_rectangle(const mesh::OpenedMesh& surface, const std::vector<mesh::BoundaryLoop>& loops,
+                    const Options& options, const Progress& progress) {
+  const mesh::TriangleMesh& mesh = surface.mesh;
+  std::array<int, 4> corners{};
+  int outer = loop_named(options.outer.empty() ? "0" : options.outer, "--outer", surface, loops);
+  if (options.corners.empty()) {
+    corners = in_file(options.input, [&] { return slit::corners_of(mesh, loops[outer]); });
+  } else {
+    std::vector<std::string> words;
+    std::istringstream list(options.corners);
+    for (std::string word; std::getline(list, word, ',');) words.push_back(word);
+    if (words.size() != corners.size())
+      throw InputError("--corners " + in_quotes(options.corners) + ": expected four vertices");
+    for (std::size_t c = 0; c < corners.size(); ++c)
+      corners[c] = vertex_named(words[c].starts_with('v') ? words[c] : "v" + words[c], "--corners", surface);
+    if (const int loop = mesh::loop_through(loops, mesh.surface, corners[0]); loop >= 0) outer = loop;
+  }
+  const slit::RicciRectangles found = in_file(options.input, [&] {
+    return slit::ricci_rectangles(mesh, slit::rectangle_hints(mesh, corners, {}, progress), {}, progress);
+  });
+  Made made;
+  made.mesh = mesh;
+  made.found = found.found;
+  std::vector<int> order{outer};
+  for (int k = 0; k < static_cast<int>(loops.size()); ++k)
+    if (k != outer) order.push_back(k);
+  made.report = rectangle_report(found, surface, loops, order);
+  if (!made.found)
+    made.report.warnings.emplace_back(
+        "the rectangle was not found: holes do not close, or triangles beside short "
+        "loops break down (a finer mesh or other --corners may help)");
+  add(made, slit::distortion_in_plane(mesh, found.position));
+  made.layout = show::plane_layout(mesh, found.position, "rectangular domain");
+  return made;
+}
+
+Made make_once(const mesh::OpenedMesh& surface, const std::vector<mesh::BoundaryLoop>& loops,
+               const Options& options, const Progress& progress) {
+  if (options.is_rectangle()) return make_rectangle(surface, loops, options, progress);
   if (loops.size() == 1) return make_disk(surface, options, progress);
   const slit::LoopPair circles = chosen(surface, loops, options);
   if (options.is_ricci()) {
@@ -263,6 +328,34 @@ Made make(const mesh::OpenedMesh& surface, const std::vector<mesh::BoundaryLoop>
   return made;
 }
 
+/// Obtuse triangles make harmonic maps turn some of them over. Either a few vertices are moved, or the map of
+/// the intrinsic Delaunay triangulation, which has no such triangles, is drawn with the mesh's own ones and
+/// vertices are moved then: whichever leaves fewer inverted, or else distorts less.
+Made make(const mesh::OpenedMesh& surface, const std::vector<mesh::BoundaryLoop>& loops,
+          const Options& options, const Progress& progress) {
+  Made best = make_once(surface, loops, options, progress);
+  const bool has_other_ways = loops.size() > 1 && !options.allow_flips && !options.is_ricci() &&
+                              !options.is_rectangle() && options.basis < 0 && options.stage < 0;
+  if (!has_other_ways || best.flipped == 0) return best;
+  const std::size_t flipped_at_first = best.flipped;
+  for (const bool intrinsic : {false, true}) {
+    if ((options.intrinsic && !intrinsic) || (options.unflip && options.intrinsic == intrinsic)) continue;
+    Options other = options;
+    other.unflip = true;
+    other.intrinsic = intrinsic;
+    Made made = make_once(surface, loops, other, progress);
+    if (std::pair(made.flipped, made.quasi_conformal) >= std::pair(best.flipped, best.quasi_conformal))
+      continue;
+    made.report.json["mended"] = {{"flipped_before", flipped_at_first}, {"intrinsic", intrinsic}};
+    made.report.rows.emplace_back(
+        "mended", counted(static_cast<long long>(flipped_at_first), "triangle") + " would be inverted; " +
+                      (intrinsic ? "solved on the intrinsic Delaunay triangulation, then vertices moved"
+                                 : "vertices moved"));
+    best = std::move(made);
+  }
+  return best;
+}
+
 /// Spheres with two holes, or one where that will do.
 /// Which option leads on from a surface that has no slit map.
 std::string way_on(const SurfaceType& type) {
@@ -274,7 +367,7 @@ std::string way_on(const SurfaceType& type) {
 
 void check_type(const mesh::Surface& surface, const Options& options) {
   const SurfaceType type = mesh::type_of(surface);
-  const int least = options.is_circular() && !options.fingerprint ? 1 : 2;
+  const int least = (options.is_circular() || options.is_rectangle()) && !options.fingerprint ? 1 : 2;
   if (type.orientable && type.euler + type.boundary_curves == 2 && type.boundary_curves >= least) return;
   throw InputError({options.input, 0},
                    std::string("slit maps need a sphere with ") + (least == 1 ? "a hole" : "two holes") +
@@ -426,7 +519,7 @@ Result run_slit(const Options& options, const Context& context) {
   result.text = block(report.rows);
   result.json = std::move(report.json);
   result.warnings = std::move(report.warnings);
-  const bool folds = result.json["flipped"].integer() > 0 && !options.allow_flips;
+  const bool folds = made.flipped > 0 && !options.allow_flips;
   if (!made.found || folds) result.status = Status::undecided;
   for (const std::string& path : options.outputs) result.files.push_back({path, file(path, made, options)});
   if (context.values != nullptr) result.value = std::make_shared<Value>(document(made, options));
@@ -441,8 +534,10 @@ Run declare_slit(OptionTable& table) {
   table
       .add("--domain", o->domain,
            "the domain: a cylinder with slits, its unrolling to a rectangle, a ring with slits, a disk with "
-           "round holes, or a flat shape of least distortion in the unit of the surface")
-      .one_of({"cylindric", "parallel", "concentric", "circular", "free"})
+           "round holes, a rectangle with rectangular holes, or a flat shape of least distortion in the unit "
+           "of "
+           "the surface")
+      .one_of({"cylindric", "parallel", "concentric", "circular", "rectangle", "free"})
       .with_default();
   table
       .add("--outer", o->outer,
@@ -495,6 +590,16 @@ Run declare_slit(OptionTable& table) {
   table.add("--basis", o->basis, "write the one-form of this loop instead of the domain").not_negative();
   table.add("--quads", o->quads, "make quads, this many around the ring; written as .obj, .glb or .ply")
       .in_range(3, 1'000'000);
+  table
+      .add("--quad-edge", o->quad_edge,
+           "make quads with edges of about this length, in the unit of the surface")
+      .positive();
+  table
+      .add("--corners", o->corners,
+           "the four vertices of the outer loop that become the corners of --domain rectangle, such as "
+           "3,17,20,8 "
+           "(default: the sharpest, or quarters of its length)")
+      .value_name("LIST");
   table
       .add("-o,--output", o->outputs,
            "write the surface with the domain as texture coordinates (.json, .obj, .vtu), the domain (.svg; "

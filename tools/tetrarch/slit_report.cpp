@@ -3,7 +3,9 @@
 
 #include "text.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <complex>
 
 namespace tetrarch::program {
 namespace {
@@ -164,12 +166,50 @@ Report residuals_report(const slit::Residuals& r) {
   return report;
 }
 
+Report rectangle_report(const slit::RicciRectangles& found, const mesh::OpenedMesh& surface,
+                        const std::vector<mesh::BoundaryLoop>& loops, const std::vector<int>& order) {
+  Report report;
+  Json corners = Json::array();
+  std::vector<std::string> names;
+  for (const slit::LoopCorner& c : found.corners.front()) {
+    corners.push_back(surface.number[c.vertex]);
+    names.push_back("v" + std::to_string(surface.number[c.vertex]));
+  }
+  report.rows = {{"outer loop", std::to_string(order.front()) + ", corners " + joined(names, ", ")},
+                 {"rectangle", "width 1, height " + fixed(found.height, 6)}};
+  Json holes = Json::array();
+  for (std::size_t k = 1; k < order.size(); ++k) {
+    double left = INFINITY;
+    double right = -INFINITY;
+    double bottom = INFINITY;
+    double top = -INFINITY;
+    for (const mesh::SideEnd e : loops[order[k]].sides) {
+      const std::complex<double> z = found.position[surface.mesh.surface.vertex(e)];
+      left = std::min(left, z.real());
+      right = std::max(right, z.real());
+      bottom = std::min(bottom, z.imag());
+      top = std::max(top, z.imag());
+    }
+    holes.push_back({{"loop", order[k]}, {"left", left}, {"right", right}, {"bottom", bottom}, {"top", top}});
+    report.rows.emplace_back(loop_name("hole", order[k]), "x " + fixed(left, 6) + " to " + fixed(right, 6) +
+                                                              ", y " + fixed(bottom, 6) + " to " +
+                                                              fixed(top, 6));
+  }
+  report.json = {{"outer", order.front()}, {"corners", corners},         {"height", found.height},
+                 {"holes", holes},         {"holonomy", found.holonomy}, {"residual", found.residual},
+                 {"rounds", found.rounds}, {"converged", found.found}};
+  report.rows.emplace_back("residuals", "holonomy " + scientific(found.holonomy, 1) + ", curvatures " +
+                                            scientific(found.residual, 1));
+  return report;
+}
+
 Report quads_report(const slit::QuadMesh& quads) {
   const slit::QuadQuality q = slit::quality(quads);
   Report report;
   report.json["quads"] = {{"count", quads.quads.size()},
                           {"vertices", quads.points.size()},
                           {"thinnest_line", quads.thinnest},
+                          {"mean_edge", q.mean_edge},
                           {"mean_angle_error", q.mean_angle_error},
                           {"max_angle_error", q.max_angle_error},
                           {"mean_warp", q.mean_warp},

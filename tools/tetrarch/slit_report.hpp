@@ -11,6 +11,7 @@
 #include "tetrarch/slit/fingerprint.hpp"
 #include "tetrarch/slit/quads.hpp"
 #include "tetrarch/slit/quality.hpp"
+#include "tetrarch/slit/ricci.hpp"
 #include "tetrarch/slit/unflip.hpp"
 
 #include <vector>
@@ -26,6 +27,9 @@ Report unflipped_report(const slit::Unflipped& unflipped);
 Report balanced_report(const slit::Balanced& balanced, const slit::Distortion& before);
 Report distortion_report(const slit::Distortion& distortion);
 Report residuals_report(const slit::Residuals& residuals);
+/// `order`: the loops as the rectangles come.
+Report rectangle_report(const slit::RicciRectangles& found, const mesh::OpenedMesh& surface,
+                        const std::vector<mesh::BoundaryLoop>& loops, const std::vector<int>& order);
 Report quads_report(const slit::QuadMesh& quads);
 Report fingerprint_report(const slit::Fingerprint& fingerprint);
 
