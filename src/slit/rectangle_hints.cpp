@@ -61,12 +61,13 @@ std::array<int, 4> corners_of(const mesh::TriangleMesh& mesh, const mesh::Bounda
     double walked = 0;
     std::size_t corner = 0;
     for (std::size_t j = 0; j < n && corner < 4; ++j) {
+      const double edge = length(mesh.points[vertices[(j + 1) % n]] - mesh.points[vertices[j]]);
       // Of few or uneven edges: two between corners at least, and as many left for those to come.
       const bool is_far = corner == 0 || j >= places[corner - 1] + 2;
       const bool is_last_chance = j + 2 * (4 - corner) >= n;
-      if (is_far && (walked >= static_cast<double>(corner) * loop.length / 4 || is_last_chance))
-        places[corner++] = j;
-      walked += length(mesh.points[vertices[(j + 1) % n]] - mesh.points[vertices[j]]);
+      const bool is_nearest = walked + edge / 2 > static_cast<double>(corner) * loop.length / 4;
+      if (is_far && (is_nearest || is_last_chance)) places[corner++] = j;
+      walked += edge;
     }
   }
   return {vertices[places[0]], vertices[places[1]], vertices[places[2]], vertices[places[3]]};

@@ -344,7 +344,8 @@ Made make(const mesh::OpenedMesh& surface, const std::vector<mesh::BoundaryLoop>
     other.unflip = true;
     other.intrinsic = intrinsic;
     Made made = make_once(surface, loops, other, progress);
-    if (std::pair(made.flipped, made.quasi_conformal) >= std::pair(best.flipped, best.quasi_conformal))
+    if (made.flipped >= flipped_at_first ||
+        std::pair(made.flipped, made.quasi_conformal) >= std::pair(best.flipped, best.quasi_conformal))
       continue;
     made.report.json["mended"] = {{"flipped_before", flipped_at_first}, {"intrinsic", intrinsic}};
     made.report.rows.emplace_back(

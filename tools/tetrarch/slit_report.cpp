@@ -149,7 +149,7 @@ Report distortion_report(const slit::Distortion& d) {
   if (flipped > 0)
     report.warnings.push_back(triangles(flipped) + (flipped == 1 ? " is" : " are") +
                               " inverted or flat, the first is " + std::to_string(d.flipped.front()) +
-                              " (counted from 0); --unflip moves vertices until no triangle is inverted");
+                              " (counted from 0)");
   if (d.ears > 0)
     report.warnings.push_back(triangles(d.ears) + (d.ears == 1 ? " has" : " have") +
                               " all corners on one loop, so the domain has no room for them");
