@@ -1528,6 +1528,64 @@ class Slit(InFolder):
         self.assertEqual(made["quads"]["vertices"] - len(edges) + len(faces), -1)
         self.assertIn("quads are written as", self.refused(self.ring, "--quads", "24", "-o", self.path("q.svg")))
 
+    def test_quads_of_a_wanted_edge(self):
+        for edge in (0.2, 0.05):
+            _, made = run_json("slit", self.ring, "--quad-edge", str(edge), "-o", self.path("quads.obj"))
+            # Squares of this edge would have the area of the surface: fewer quads are larger.
+            area = made["quads"]["count"] * edge ** 2
+            self.assertAlmostEqual(area / self.area(), 1, delta=0.15)
+            self.assertLess(abs(math.log(made["quads"]["mean_edge"] / edge)), 0.3)
+        self.assertIn("--quad-edge", self.refused(self.ring, "--quad-edge", "100"))
+        self.assertIn("not both", self.refused(self.ring, "--quads", "24", "--quad-edge", "0.1"))
+
+    def area(self):
+        with open(self.ring, encoding="utf-8") as file:
+            words = file.read().split()[1:]
+        n, m = int(words[0]), int(words[1])
+        points = [[float(x) for x in words[3 + 3 * k:6 + 3 * k]] for k in range(n)]
+        faces = [[int(x) for x in words[3 + 3 * n + 4 * k + 1:3 + 3 * n + 4 * k + 4]] for k in range(m)]
+        total = 0
+        for a, b, c in ([points[v] for v in f] for f in faces):
+            u, v = ([q - p for p, q in zip(a, x)] for x in (b, c))
+            total += math.hypot(u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]) / 2
+        return total
+
+    def test_areas_for_angles(self):
+        for domain in ("parallel", "concentric", "circular"):
+            _, plain = run_json("slit", self.ring, "--domain", domain)
+            code, made = run_json("slit", self.ring, "--domain", domain, "--balance")
+            self.assertEqual((code, made["flipped"], made["balanced"]["settled"]), (0, 0, True))
+            self.assertEqual(made["balanced"]["mean_area_error_before"], plain["mean_area_error"])
+            self.assertLess(made["mean_area_error"], 0.8 * plain["mean_area_error"])
+            self.assertGreater(made["mean_angle_error"], plain["mean_angle_error"])
+            self.assertLess(made["balanced"]["energy"], made["balanced"]["energy_before"])
+        # The surface is bent but a little, so that it may lie in the plane nearly as it is: its own area, all edges as long.
+        path = self.path("free.obj")
+        code, made = run_json("slit", self.ring, "--domain", "free", "-o", path)
+        self.assertEqual((code, made["flipped"], made["crossings"]), (0, 0, 0))
+        with open(path, encoding="utf-8") as file:
+            lines = [line.split() for line in file]
+        flat = [[float(x) / made["texture"]["scale"] for x in w[1:3]] for w in lines if w[0] == "vt"]
+        faces = [[int(x.split("/")[1]) - 1 for x in w[1:]] for w in lines if w[0] == "f"]
+        area = sum((flat[b][0] - flat[a][0]) * (flat[c][1] - flat[a][1]) - (flat[b][1] - flat[a][1]) * (flat[c][0] - flat[a][0])
+                   for a, b, c in faces) / 2
+        self.assertAlmostEqual(area / self.area(), 1, delta=0.03)
+        self.assertIn("--balance", self.refused(self.ring, "--domain", "free", "--balance"))
+
+    def test_rectangles(self):
+        path = self.path("floor.svg")
+        code, made = run_json("slit", self.ring, "--domain", "rectangle", "-o", path)
+        self.assertEqual((code, made["flipped"], made["converged"], len(made["holes"])), (0, 0, True, 2))
+        self.assertLess(made["holonomy"], 1e-8)
+        for hole in made["holes"]:
+            self.assertTrue(0 < hole["left"] < hole["right"] < 1 and 0 < hole["bottom"] < hole["top"] < made["height"])
+        # The same corners named, from another one on: the rectangle turned by a quarter, so that its height is inverted.
+        corners = made["corners"][1:] + made["corners"][:1]
+        _, turned = run_json("slit", self.ring, "--domain", "rectangle", "--corners", ",".join(map(str, corners)))
+        self.assertAlmostEqual(turned["height"] * made["height"], 1, delta=0.02)
+        self.assertIn("four vertices", self.refused(self.ring, "--domain", "rectangle", "--corners", "1,2,3"))
+        self.assertIn("--domain rectangle", self.refused(self.ring, "--corners", "1,2,3,4"))
+
     def test_bad_surfaces(self):
         self.assertIn("torus", self.refused(os.path.join(SOURCE, "tests/data/mesh/torus.off")))
         self.assertIn("disk", self.refused(self.path("disk.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n")))
