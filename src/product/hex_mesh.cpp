@@ -3,6 +3,7 @@
 
 #include "hexahedron.hpp"
 #include "tetrarch/numeric/vector.hpp"
+#include "tetrarch/product/hex_jacobian.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -48,6 +49,7 @@ double scaled_jacobian(const std::array<Point, 8>& corners) {
     least = std::min(
         least, scaled_determinant(corners[x] - corners[c], corners[y] - corners[c], corners[z] - corners[c]));
   }
+  if (least > 0 && !is_positive_inside(corners)) return 0;
   return least;
 }
 
