@@ -14,29 +14,14 @@ namespace tetrarch::hex {
 namespace {
 
 using namespace numeric;
-using product::corner_neighbors;
 using unfold::Freedom;
 
-/// The corners of the unit cube, as those of a hexahedron are numbered.
-constexpr std::array<Point, 8> unit_cube{
-    {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}}};
-
-std::vector<unfold::Element> elements_of(const SizedHexahedra& hexahedra) {
-  std::vector<unfold::Element> elements;
-  elements.reserve(8 * hexahedra.lengths.size());
+std::vector<unfold::Brick> bricks_of(const SizedHexahedra& hexahedra) {
+  std::vector<unfold::Brick> bricks;
+  bricks.reserve(hexahedra.lengths.size());
   for (std::size_t h = 0; h < hexahedra.lengths.size(); ++h)
-    for (std::size_t c = 0; c < 8; ++c) {
-      std::array<int, 4> corner{hexahedra.mesh.hexahedra[h][c]};
-      std::array<Vector, 3> edge{};
-      for (std::size_t k = 0; k < 3; ++k) {
-        const int n = corner_neighbors[c][k];
-        corner[k + 1] = hexahedra.mesh.hexahedra[h][n];
-        edge[k] = unit_cube[n] - unit_cube[c];
-        for (std::size_t a = 0; a < 3; ++a) edge[k][a] *= hexahedra.lengths[h][a];
-      }
-      elements.push_back(unfold::element(corner, edge));
-    }
-  return elements;
+    bricks.push_back(unfold::brick(hexahedra.mesh.hexahedra[h], hexahedra.lengths[h]));
+  return bricks;
 }
 
 double mean_length(const SizedHexahedra& hexahedra) {
@@ -93,7 +78,7 @@ void fit(SizedHexahedra& hexahedra, const std::vector<Home>& home, const Targets
          const FitOptions& options, const Progress& progress) {
   product::HexMesh& mesh = hexahedra.mesh;
   unfold::Problem problem;
-  problem.elements = elements_of(hexahedra);
+  problem.bricks = bricks_of(hexahedra);
   problem.freedom.assign(mesh.points.size(), {});
   const double size = mean_length(hexahedra);
   unfold::Options descent;

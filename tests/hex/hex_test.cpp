@@ -1,18 +1,15 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "product/solids.hpp"
-#include "support/random.hpp"
 #include "tetrarch/hex/deviation.hpp"
 #include "tetrarch/hex/features.hpp"
 #include "tetrarch/hex/fill.hpp"
 #include "tetrarch/hex/grid.hpp"
 #include "tetrarch/hex/layers.hpp"
-#include "tetrarch/hex/nearest.hpp"
 
 #include <algorithm>
 #include <array>
 #include <catch2/catch.hpp>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <numbers>
 #include <set>
@@ -21,7 +18,6 @@
 using namespace tetrarch;
 using namespace tetrarch::hex;
 using namespace tetrarch::numeric;
-using support::Random;
 
 namespace {
 
@@ -74,36 +70,6 @@ void require_mesh(const product::HexMesh& mesh) {
 }
 
 } // namespace
-
-TEST_CASE("the nearest point is that of all triangles tried", "[hex]") {
-  Random random(3);
-  const auto point = [&] { return Point{random.uniform(), random.uniform(), random.uniform()}; };
-  std::vector<std::array<Point, 3>> triangles;
-  for (int k = 0; k < 200; ++k) {
-    const Point at = point();
-    triangles.push_back({at, at + 0.1 * point(), k % 7 == 0 ? at : at + 0.1 * point()});
-  }
-  const NearestTriangle tree(triangles);
-  for (int k = 0; k < 100; ++k) {
-    const Point p = point();
-    // Second route: points of each triangle on a fine grid of weights are never nearer.
-    double least = std::numeric_limits<double>::infinity();
-    constexpr int n = 20;
-    for (const auto& t : triangles)
-      for (int i = 0; i <= n; ++i)
-        for (int j = 0; i + j <= n; ++j) {
-          const double u = i / double{n};
-          const double v = j / double{n};
-          least = std::min(least, distance(p, (1 - u - v) * t[0] + u * t[1] + v * t[2]));
-        }
-    const Foot foot = tree.nearest(p);
-    CHECK(foot.distance <= least + 1e-12);
-    CHECK(foot.distance > least - 0.1 / n);
-    CHECK(distance(foot.at, p) == Approx(foot.distance));
-    CHECK(NearestTriangle({tree.corners(foot.triangle)}).nearest(foot.at).distance < 1e-12);
-  }
-  CHECK(NearestTriangle({}).nearest({}).triangle == -1);
-}
 
 TEST_CASE("a box has six patches, twelve ridges and eight corners", "[hex]") {
   const Features box = features(box_solid());
