@@ -2,6 +2,7 @@
 #include "tetrarch/reasons/reason.hpp"
 
 #include "group_reason.hpp"
+#include "surface_reason.hpp"
 #include "tetrarch/core/boundary.hpp"
 #include "tetrarch/core/check.hpp"
 #include "tetrarch/core/error.hpp"
@@ -46,6 +47,7 @@ Kinds boundary_kinds(const Triangulation& tri, const Skeleton& skeleton) {
 
 std::optional<Reason> by_group(const Triangulation& tri, const ReasonOptions& options,
                                const Progress& progress) {
+  if (!options.groups) return std::nullopt;
   const Skeleton skeleton(tri);
   const algebra::Presentation group =
       algebra::simplified(algebra::dual_presentation(tri, skeleton).presentation, {}, progress);
@@ -67,6 +69,8 @@ Reason of_projective_plane() {
 std::optional<Reason> search(const Triangulation& tri, const ReasonOptions& options,
                              const Progress& progress) {
   if (auto reason = by_group(tri, options, progress)) return reason;
+  if (Skeleton(tri).is_orientable())
+    if (auto reason = reason_of_surfaces(tri, options, progress)) return reason;
   // Other triangulations present the same group otherwise.
   constexpr int moves_each = 20;
   SplitMix64 random(options.seed);

@@ -100,6 +100,7 @@ struct Reason {
 
 struct ReasonOptions {
   std::uint64_t seed = 1;
+  bool groups = true;                  ///< read presentations; else look at normal surfaces alone
   int changes = 10;                    ///< further triangulations of the manifold whose groups are read
   int presentations = 60;              ///< of shortest ones that are looked at, for each triangulation
   int degree = 5;                      ///< greatest degree of the covers that finite quotients come from
