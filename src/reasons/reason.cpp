@@ -45,15 +45,18 @@ Kinds boundary_kinds(const Triangulation& tri, const Skeleton& skeleton) {
   return kinds;
 }
 
-std::optional<Reason> by_group(const Triangulation& tri, const ReasonOptions& options,
+/// Of the triangulation as its signature labels it: whoever checks the reason reads it from there.
+std::optional<Reason> by_group(const Triangulation& given, const ReasonOptions& options,
                                const Progress& progress) {
   if (!options.groups) return std::nullopt;
+  const std::string text = signature(given);
+  const Triangulation tri = from_signature(text);
   const Skeleton skeleton(tri);
   const algebra::Presentation group =
       algebra::simplified(algebra::dual_presentation(tri, skeleton).presentation, {}, progress);
   const Setting setting{skeleton.is_orientable(), boundary_kinds(tri, skeleton).cusps};
   auto reason = reason_of_group(group, setting, options, progress);
-  if (reason) reason->group->triangulation = signature(tri);
+  if (reason) reason->group->triangulation = text;
   return reason;
 }
 

@@ -261,9 +261,11 @@ std::optional<Reason> reason_of_surface(const Triangulation& tri, const Coordina
                           : of_torus(cut, tri, skeleton, coordinates, options, progress);
 }
 
-std::optional<Reason> reason_of_surfaces(const Triangulation& tri, const ReasonOptions& options,
+std::optional<Reason> reason_of_surfaces(const Triangulation& given, const ReasonOptions& options,
                                          const Progress& progress) {
-  if (tri.size() > options.most_tetrahedra || Skeleton(tri).has_boundary_faces()) return std::nullopt;
+  if (given.size() > options.most_tetrahedra || Skeleton(given).has_boundary_faces()) return std::nullopt;
+  // As its signature labels it: whoever checks the surface reads it from there.
+  const Triangulation tri = from_signature(signature(given));
   const auto surfaces = vertex_surfaces(tri, options.surface_steps, progress);
   if (!surfaces) return std::nullopt;
   for (const Coordinates& coordinates : *surfaces)

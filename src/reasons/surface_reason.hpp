@@ -15,7 +15,7 @@ std::optional<Reason> reason_of_surface(const Triangulation& tri, const Coordina
                                         const ReasonOptions& options, const Progress& progress);
 
 /// The first vertex surface that proves something.
-std::optional<Reason> reason_of_surfaces(const Triangulation& tri, const ReasonOptions& options,
+std::optional<Reason> reason_of_surfaces(const Triangulation& given, const ReasonOptions& options,
                                          const Progress& progress);
 
 } // namespace tetrarch::reasons
