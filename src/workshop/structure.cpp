@@ -5,6 +5,7 @@
 #include "tetrarch/core/signature.hpp"
 #include "tetrarch/format/document.hpp"
 #include "tetrarch/verified/certificate.hpp"
+#include "tetrarch/workshop/reason.hpp"
 #include "tetrarch/workshop/text.hpp"
 
 #include <array>
@@ -16,14 +17,18 @@ namespace {
 using hyperbolic::Outcome;
 
 /// The word users see first; `reason` keeps the finer one.
-std::string outcome_word(Outcome outcome) {
+std::string outcome_word(const Structure& s) {
+  const Outcome outcome = s.search.structure.outcome;
   if (outcome == Outcome::geometric) return "geometric";
-  if (outcome == Outcome::projective_plane) return "not hyperbolic";
+  if (outcome == Outcome::projective_plane || s.why) return "not hyperbolic";
   return "not found";
 }
 
 bool is_geometric(const Structure& s) {
   return s.search.structure.outcome == Outcome::geometric;
+}
+bool has_reason(const Structure& s) {
+  return s.why.has_value();
 }
 bool is_not_geometric(const Structure& s) {
   return !is_geometric(s);
@@ -84,13 +89,19 @@ std::string filling(int spheres) {
                    " boundary spheres are filled with balls: this is another manifold than the given one";
 }
 
-Rows no_structure(const hyperbolic::Search& search, const Skeleton& skeleton) {
-  const auto& found = search.structure;
-  return {{"outcome", outcome_word(found.outcome)},
-          {"reason", hyperbolic::describe(found, skeleton)},
-          {"tried", hyperbolic::describe(search)},
-          {"residual", scientific(found.residual, 1)},
-          {"iterations", std::to_string(found.iterations)}};
+Rows no_structure(const Structure& s) {
+  const auto& found = s.search.structure;
+  Rows rows{{"outcome", outcome_word(s)}};
+  if (s.why) {
+    const Rows proof = rows_of(*s.why);
+    rows.insert(rows.end(), proof.begin(), proof.end());
+    return rows;
+  }
+  rows.insert(rows.end(), {{"reason", hyperbolic::describe(found, s.skeleton)},
+                           {"tried", hyperbolic::describe(s.search)},
+                           {"residual", scientific(found.residual, 1)},
+                           {"iterations", std::to_string(found.iterations)}});
+  return rows;
 }
 
 void add_edges(const hyperbolic::Metric<double>& lengths, const Skeleton& skeleton, Rows& rows) {
@@ -173,7 +184,14 @@ void add_certified(const Structure& s, Rows& rows) {
 Verdict Structure::verdict() const {
   const Outcome outcome = search.structure.outcome;
   if (outcome == Outcome::geometric) return is_not_certified(*this) ? Verdict::undecided : Verdict::yes;
-  return outcome == Outcome::projective_plane ? Verdict::proved_no : Verdict::undecided;
+  return outcome == Outcome::projective_plane || why ? Verdict::proved_no : Verdict::undecided;
+}
+
+std::optional<reasons::Reason> proved_no(const Triangulation& tri, std::uint64_t seed,
+                                         const Progress& progress) {
+  reasons::ReasonOptions how;
+  how.seed = seed;
+  return reasons::why_not_hyperbolic(tri, how, progress);
 }
 
 Structure structure(const Triangulation& tri, const StructureOptions& options, const Progress& progress) {
@@ -182,6 +200,7 @@ Structure structure(const Triangulation& tri, const StructureOptions& options, c
   Structure found{std::move(search), std::move(skeleton), {}, {}, {}, options.digits};
   const bool certifies = options.certify || options.digits > 0;
   if (!is_geometric(found)) {
+    if (!options.as_given) found.why = proved_no(found.search.triangulation, options.seed, progress);
     if (certifies) found.certified = verified::Certification{std::nullopt, "no structure was found"};
     return found;
   }
@@ -211,7 +230,7 @@ Rows rows_of(const Structure& s) {
       rows.emplace_back("angles " + std::to_string(t), joined(angles, " "));
     }
   } else {
-    rows = no_structure(s.search, s.skeleton);
+    rows = no_structure(s);
   }
   const int spheres = s.search.filled_spheres;
   if (spheres > 0) rows.insert(rows.begin() + 1, {"filled", filling(spheres)});
@@ -243,13 +262,18 @@ const FieldList<Structure>& fields_of<Structure>() {
   using S = const Structure&;
   static const FieldList<Structure> fields{
       {{"outcome", "", "geometric, not hyperbolic (proved), or not found"},
-       [](S s) -> Tree { return outcome_word(s.search.structure.outcome); }},
+       [](S s) -> Tree { return outcome_word(s); }},
       {{"reason", "", "why there is no structure, in a word"},
-       [](S s) -> Tree { return hyperbolic::to_string(s.search.structure.outcome); },
+       [](S s) -> Tree {
+         return s.why ? reasons::to_string(s.why->kind) : hyperbolic::to_string(s.search.structure.outcome);
+       },
        is_not_geometric},
       {{"explanation", "", "the same with its place"},
-       [](S s) -> Tree { return hyperbolic::describe(s.search.structure, s.skeleton); },
+       [](S s) -> Tree { return s.why ? s.why->text : hyperbolic::describe(s.search.structure, s.skeleton); },
        is_not_geometric},
+      {{"why", "", "the proof that the manifold is not hyperbolic: kind, text, theorem, and what shows it"},
+       [](S s) -> Tree { return tree_of(*s.why); },
+       has_reason},
       {{"tried", "", "how structures were sought"},
        [](S s) -> Tree { return hyperbolic::describe(s.search); },
        is_not_geometric},

@@ -116,8 +116,24 @@ class Hyperbolize(unittest.TestCase):
         self.assertEqual((closed["cusps"], closed["into_cusps"]), ([], []))
 
     def test_false_convergence_is_not_found(self):
-        status, found = run_json("hyperbolize", "dLQacccjcog")
+        status, found = run_json("hyperbolize", "dLQacccjcog", "--as-given")
         self.assertEqual((status, found["outcome"]), (4, "not found"))
+
+    def test_what_is_not_hyperbolic_is_told_with_its_proof(self):
+        # One of the three gluings of three tetrahedra without a structure: the group splits (a generator in powers only).
+        status, found = run_json("hyperbolize", "dLQacccjcog")
+        self.assertEqual((status, found["outcome"], found["reason"]), (1, "not hyperbolic", "root"))
+        group = found["why"]["group"]
+        self.assertEqual(group["triangulation"], found["signature"])
+        self.assertGreater(group["exponents"][0], 1)
+        text = run("hyperbolize", "dLQacccjcog").stdout
+        self.assertIn(group["shown"], text)
+        self.assertRegex(text, "(?m)^theorem ")
+        status, cells = run_json("canonize", "dLQacccjcog")
+        self.assertEqual((status, cells["outcome"], cells["why"]["kind"]), (1, "not hyperbolic", "root"))
+        # Two trefoils (Regina: the essential torus swallows one and follows the other).
+        status, found = run_json("hyperbolize", "eLMkbcddddlihu")
+        self.assertEqual((status, found["outcome"]), (1, "not hyperbolic"))
 
     def test_a_metric_file_keeps_its_structure(self):
         with tempfile.TemporaryDirectory() as folder:
@@ -242,9 +258,19 @@ class Canonize(unittest.TestCase):
         status, answer = run_json("isometric", "fmp2_1", "fmp2_2")
         self.assertEqual((status, answer["isometric"]), (1, False))
 
-    def test_nothing_is_claimed_without_a_structure(self):
+    def test_one_without_a_structure_is_another_manifold(self):
         status, answer = run_json("isometric", "fmp2_1", "dLQacccjcog")
-        self.assertEqual((status, answer["isometric"]), (4, None))
+        self.assertEqual(status, 1)
+        self.assertIn(answer["proof"], ("homology", "boundary", "structure"))
+
+    def test_covers_tell_apart_what_has_no_structure(self):
+        # Trefoil and torus knot T(2,5): H1 = Z, one torus. The trefoil's group maps onto S3 and T(2,5)'s does not.
+        status, answer = run_json("isometric", "3_1", "5_1")
+        self.assertEqual((status, answer["isometric"], answer["proof"]), (1, False, "covers"))
+        self.assertIn("covers of", answer["reason"])
+        # Homeomorphic, and said so without a structure.
+        status, answer = run_json("isometric", "cPcbbbadu", "cPcbbbadu")
+        self.assertEqual((status, answer["isometric"], answer["proof"]), (0, True, "isomorphism"))
 
 
 class Census(unittest.TestCase):

@@ -9,6 +9,7 @@
 #include "tetrarch/core/progress.hpp"
 #include "tetrarch/hyperbolic/cusp.hpp"
 #include "tetrarch/hyperbolic/search.hpp"
+#include "tetrarch/reasons/reason.hpp"
 #include "tetrarch/verified/structure.hpp"
 #include "tetrarch/workshop/fields.hpp"
 #include "tetrarch/workshop/verdict.hpp"
@@ -41,6 +42,8 @@ struct Structure {
   std::optional<verified::Certification> certified; ///< if it was asked for
   std::string certificate;                          ///< the file that proves it; empty: there is none
   int digits = 0;                                   ///< of the volume that were asked for
+  /// Why there is none, where that was found: the manifold is proved not to be hyperbolic.
+  std::optional<reasons::Reason> why{};
 
   /// Yes, of one that was to be certified, only if it was.
   Verdict verdict() const;
@@ -50,6 +53,11 @@ struct Structure {
 /// progress says so. Milliseconds for ten tetrahedra, seconds for a hundred.
 Structure structure(const Triangulation& tri, const StructureOptions& options = {},
                     const Progress& progress = {});
+
+/// Why the manifold of a triangulation on which no structure was found is not hyperbolic; nothing if no
+/// reason was found.
+std::optional<reasons::Reason> proved_no(const Triangulation& tri, std::uint64_t seed,
+                                         const Progress& progress = {});
 
 /// What is printed of it: the outcome; the volume, edges, cusps and angles, or the reason.
 Rows rows_of(const Structure& found);
