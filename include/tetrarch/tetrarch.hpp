@@ -219,6 +219,7 @@
 #include "tetrarch/workshop/info.hpp"
 #include "tetrarch/workshop/nearest.hpp"
 #include "tetrarch/workshop/open.hpp"
+#include "tetrarch/workshop/pair.hpp"
 #include "tetrarch/workshop/structure.hpp"
 #include "tetrarch/workshop/text.hpp"
 #include "tetrarch/workshop/tree.hpp"

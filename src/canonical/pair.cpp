@@ -4,11 +4,14 @@
 #include "tetrarch/canonical/flips.hpp"
 #include "tetrarch/core/error.hpp"
 #include "tetrarch/core/random.hpp"
+#include "tetrarch/core/signature.hpp"
 #include "tetrarch/hyperbolic/hyperbolize.hpp"
 #include "tetrarch/moves/log.hpp"
 #include "tetrarch/moves/simplify.hpp"
 
+#include <algorithm>
 #include <array>
+#include <map>
 #include <optional>
 #include <utility>
 
@@ -203,6 +206,45 @@ PairIsometries pair_isometries(const MarkedCells& a, const MarkedCells& b) {
     found.hands.push_back(a.monodromy.hand(0) * isometry.perm[0].sign() * b.monodromy.hand(isometry.tet[0]));
   }
   return found;
+}
+
+CommonTriangulation common_triangulation(const Triangulation& a, const Monodromy& words_a,
+                                         const Triangulation& b, const Monodromy& words_b,
+                                         const CommonOptions& options, const Progress& progress) {
+  constexpr long long most_letters = 20'000;
+  SplitMix64 random(options.seed);
+  std::array<std::map<std::string, std::vector<Marked>>, 2> met;
+  std::array<Marked, 2> at{Marked{a, words_a}, Marked{b, words_b}};
+  const std::array<Marked, 2> start = at;
+  const int most_tets = std::max(a.size(), b.size()) + 1;
+  CommonTriangulation out;
+  for (int walk = 0; walk < 2 * options.walks; ++walk) {
+    progress.step("common triangulation", walk / (2.0 * options.walks));
+    const std::size_t side = static_cast<std::size_t>(walk % 2);
+    const std::string name = signature(at[side].tri);
+    const auto other = met[1 - side].find(name);
+    if (other != met[1 - side].end()) {
+      for (const Marked& there : other->second) {
+        const Marked& one = side == 0 ? at[side] : there;
+        const Marked& two = side == 0 ? there : at[side];
+        const std::vector<Isomorphism> between = isomorphisms(one.tri, two.tri);
+        if (out.signature.empty()) out.signature = name;
+        out.isomorphisms += between.size();
+        for (const Isomorphism& iso : between)
+          if (extends(one.tri, one.monodromy, iso, two.monodromy)) {
+            out.signature = name;
+            out.hands.push_back(one.monodromy.hand(0) * iso.perm[0].sign() * two.monodromy.hand(iso.tet[0]));
+          }
+      }
+      if (!out.hands.empty()) return out;
+    }
+    constexpr std::size_t most_kept = 4; // of one triangulation, with different words
+    if (auto& kept = met[side][name]; kept.size() < most_kept) kept.push_back(at[side]);
+    std::optional<Marked> next = wandered(at[side], random);
+    if (!next || next->tri.size() > most_tets) continue;
+    at[side] = next->monodromy.letter_count() > most_letters ? start[side] : *std::move(next);
+  }
+  return out;
 }
 
 } // namespace tetrarch::canonical

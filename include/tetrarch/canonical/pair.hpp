@@ -79,4 +79,22 @@ struct PairIsometries {
 };
 PairIsometries pair_isometries(const MarkedCells& a, const MarkedCells& b);
 
+/// A triangulation that both exteriors were brought to, hyperbolic or not.
+struct CommonTriangulation {
+  std::string signature;        ///< empty: none was met
+  std::size_t isomorphisms = 0; ///< between the two as they were brought there
+  std::vector<int>
+      hands; ///< of those that extend: +1 if it keeps the orientation of space, -1 if it reverses
+};
+struct CommonOptions {
+  std::uint64_t seed = 1;
+  int walks = 300; ///< from either
+};
+/// Wanders from both among triangulations of about their size and looks for one met from both sides: a proof
+/// that the exteriors are homeomorphic, and that the pairs are if an isomorphism extends. Ends at the first
+/// that extends. That none is met, or none extends, proves nothing. 0.1 s for five tetrahedra.
+CommonTriangulation common_triangulation(const Triangulation& a, const moves::Monodromy& words_a,
+                                         const Triangulation& b, const moves::Monodromy& words_b,
+                                         const CommonOptions& options = {}, const Progress& progress = {});
+
 } // namespace tetrarch::canonical

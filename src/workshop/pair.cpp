@@ -1,0 +1,282 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "tetrarch/workshop/pair.hpp"
+
+#include "tetrarch/canonical/isometries.hpp"
+#include "tetrarch/canonical/pair.hpp"
+#include "tetrarch/core/error.hpp"
+#include "tetrarch/diagram/exterior.hpp"
+#include "tetrarch/workshop/diagram.hpp"
+#include "tetrarch/workshop/text.hpp"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <utility>
+
+namespace tetrarch::workshop {
+namespace {
+
+using Proof = PairComparison::Proof;
+using canonical::IsometryAnswer;
+using canonical::MarkedCells;
+using canonical::PairIsometries;
+
+constexpr std::uint64_t seeds = 8; // of ways to simplify an exterior
+
+/// Throws if a neighborhood of the graph has a component that is a ball.
+void require_no_trees(const diagram::Diagram& diagram, const std::string& name) {
+  if (tree_count(diagram) > 0)
+    throw InputError(in_quotes(name) + " has a component without cycles: a neighborhood of it is a ball");
+}
+
+std::optional<diagram::PairExterior> exterior_of(const diagram::Diagram& diagram, std::uint64_t first_seed,
+                                                 const Progress& progress) {
+  for (std::uint64_t seed = first_seed; seed < first_seed + seeds; ++seed)
+    if (auto found = diagram::pair_exterior(diagram, {seed}, progress)) return found;
+  return std::nullopt;
+}
+
+/// Symmetries of one side.
+void add_groups(PairSide& side, const MarkedCells& cells) {
+  const PairIsometries own = pair_isometries(cells, cells);
+  const Triangulation& tri = cells.canonical.canonical_triangulation;
+  side.found = true;
+  side.isometry_signature = cells.canonical.isometry_signature;
+  side.exterior_group_order = own.all.size();
+  side.exterior_group = canonical::name_of_group(canonical::multiplication_table(own.all));
+  side.exterior_amphichiral = canonical::is_amphichiral(tri, own.all).value_or(false);
+  side.group_order = own.extending.size();
+  side.group = canonical::name_of_group(canonical::multiplication_table(own.extending));
+  side.amphichiral = std::count(own.hands.begin(), own.hands.end(), -1) > 0;
+}
+
+Proof proof_of(IsometryAnswer::Proof proof) {
+  switch (proof) {
+  case IsometryAnswer::Proof::boundary:
+    return Proof::boundary;
+  case IsometryAnswer::Proof::homology:
+    return Proof::homology;
+  case IsometryAnswer::Proof::volume:
+    return Proof::volume;
+  case IsometryAnswer::Proof::cells:
+    return Proof::cells;
+  default:
+    return Proof::none;
+  }
+}
+
+void count_hands(PairComparison& out, const std::vector<int>& hands) {
+  out.extending = hands.size();
+  out.keeps_orientation = std::count(hands.begin(), hands.end(), 1) > 0;
+  out.reverses_orientation = std::count(hands.begin(), hands.end(), -1) > 0;
+}
+
+std::string isometries_text(std::size_t count) {
+  return count == 1 ? "1 isometry" : std::to_string(count) + " isometries";
+}
+
+/// Both have cells with meridians.
+void decide(PairComparison& out, const MarkedCells& a, const MarkedCells& b, bool proved) {
+  const PairIsometries between = pair_isometries(a, b);
+  out.isometries = between.all.size();
+  count_hands(out, between.hands);
+  if (out.extending > 0) {
+    out.verdict = Verdict::yes;
+    out.proof = Proof::isometry;
+    out.reason = std::to_string(out.extending) + " of the " + isometries_text(out.isometries) +
+                 " between the exteriors take meridians to meridians";
+    return;
+  }
+  out.reason = "none of the " + isometries_text(out.isometries) +
+               " between the exteriors takes meridians to meridians";
+  if (proved) {
+    out.verdict = Verdict::proved_no;
+    out.proof = Proof::meridians;
+  } else {
+    out.reason += "; but the cells are not proved, so that there may be more isometries";
+  }
+}
+
+/// Without a structure: a yes if a triangulation is found that both exteriors share with their meridians.
+void decide_without_cells(PairComparison& out, const diagram::PairExterior& a, const diagram::PairExterior& b,
+                          std::uint64_t seed, const Progress& progress) {
+  canonical::CommonOptions how;
+  how.seed = seed;
+  const auto common = common_triangulation(a.tri, a.monodromy, b.tri, b.monodromy, how, progress);
+  if (common.signature.empty()) return;
+  out.exteriors = true;
+  if (common.hands.empty()) {
+    out.reason += "; both exteriors have the triangulation " + common.signature +
+                  ", but no isomorphism between those that were met takes meridians to meridians";
+    return;
+  }
+  out.verdict = Verdict::yes;
+  out.proof = Proof::isomorphism;
+  count_hands(out, common.hands);
+  out.isometries = common.isomorphisms;
+  out.reason = "both exteriors have the triangulation " + common.signature +
+               ", and an isomorphism takes meridians to meridians";
+}
+
+const char* yes_no(bool yes) {
+  return yes ? "yes" : "no";
+}
+
+std::string group_text(std::size_t order, const std::string& group) {
+  return "order " + std::to_string(order) + (group.empty() ? "" : ": " + group);
+}
+
+void add_rows(Rows& rows, const PairSide& side) {
+  if (!side.found) return;
+  rows.emplace_back(side.name, "volume " + fixed(side.volume, 12));
+  rows.emplace_back("",
+                    "exterior: isometries of " + group_text(side.exterior_group_order, side.exterior_group));
+  rows.emplace_back("", "pair: symmetries of " + group_text(side.group_order, side.group) +
+                            (side.amphichiral ? ", amphichiral" : ", chiral"));
+}
+
+} // namespace
+
+const char* to_string(PairComparison::Proof proof) {
+  constexpr std::array<const char*, 8> names{"none",   "isometry", "boundary",  "homology",
+                                             "volume", "cells",    "meridians", "isomorphism"};
+  return names[static_cast<std::size_t>(proof)];
+}
+
+PairComparison compare_pairs(const diagram::Diagram& x, const std::string& name_x, const diagram::Diagram& y,
+                             const std::string& name_y, const PairOptions& options,
+                             const Progress& progress) {
+  require_no_trees(x, name_x);
+  require_no_trees(y, name_y);
+  PairComparison out;
+  out.x.name = name_x;
+  out.y.name = name_y;
+  const auto a = exterior_of(x, options.seed, progress);
+  const auto b = exterior_of(y, options.seed, progress);
+  if (!a || !b) {
+    out.reason = "the meridians of " + in_quotes(a ? name_y : name_x) +
+                 " could not be followed to a small triangulation of its exterior";
+    return out;
+  }
+  const CanonicalOptions how{options.attempts, options.seed, false};
+  const Isometry exteriors = isometry({a->tri, name_x}, {b->tri, name_y}, how, progress);
+  if (exteriors.verdict() == Verdict::proved_no) {
+    out.verdict = Verdict::proved_no;
+    out.exteriors = false;
+    out.proof = proof_of(exteriors.answer.proof);
+    out.reason = "the exteriors are not homeomorphic: " + exteriors.answer.reason;
+  }
+  bool proved = true;
+  std::array<MarkedCells, 2> cells;
+  for (const bool second : {false, true}) {
+    PairSide& side = second ? out.y : out.x;
+    const diagram::PairExterior& exterior = second ? *b : *a;
+    const Cells found = workshop::cells(exterior.tri, how, progress);
+    MarkedCells& marked = cells[second ? 1 : 0];
+    marked.why_not = found.why_not;
+    if (found.verdict() != Verdict::yes) continue;
+    canonical::MarkedOptions search;
+    search.seed = options.seed;
+    marked = marked_cells(exterior.tri, exterior.monodromy, search, progress);
+    if (!marked.why_not.empty()) continue;
+    proved = proved && found.canonical->proof.certified;
+    side.volume = found.volume;
+    add_groups(side, marked);
+  }
+  if (out.verdict != Verdict::undecided) return out;
+  if (!cells[0].why_not.empty() || !cells[1].why_not.empty()) {
+    out.reason =
+        cells[0].why_not.empty() ? name_y + ": " + cells[1].why_not : name_x + ": " + cells[0].why_not;
+    decide_without_cells(out, *a, *b, options.seed, progress);
+    return out;
+  }
+  if (exteriors.verdict() == Verdict::yes) out.exteriors = true;
+  decide(out, cells[0], cells[1], proved);
+  return out;
+}
+
+std::string text_of(const PairComparison& found) {
+  const char* const word = found.verdict == Verdict::yes         ? "equivalent"
+                           : found.verdict == Verdict::proved_no ? "not equivalent"
+                                                                 : "undecided";
+  std::string text = std::string(word) + ": " + found.reason + "\n";
+  Rows rows;
+  if (found.verdict == Verdict::yes) {
+    rows.emplace_back("as they are", yes_no(found.keeps_orientation));
+    rows.emplace_back("as mirror images", yes_no(found.reverses_orientation));
+  }
+  add_rows(rows, found.x);
+  if (found.y.name != found.x.name) add_rows(rows, found.y);
+  return text + block(rows);
+}
+
+namespace {
+
+Tree name_or_null(const std::string& name) {
+  return name.empty() ? Tree() : Tree(name);
+}
+
+bool is_found(const PairSide& s) {
+  return s.found;
+}
+
+} // namespace
+
+template <>
+const FieldList<PairSide>& fields_of<PairSide>() {
+  using S = const PairSide&;
+  static const FieldList<PairSide> fields{
+      {{"name", "", "what was given"}, [](S s) -> Tree { return s.name; }},
+      {{"volume", "curvature -1", "of the exterior"}, [](S s) -> Tree { return s.volume; }, is_found},
+      {{"isometry_signature", "", "of the exterior"},
+       [](S s) -> Tree { return s.isometry_signature; },
+       is_found},
+      {{"exterior_group_order", "", "number of isometries of the exterior"},
+       [](S s) -> Tree { return s.exterior_group_order; },
+       is_found},
+      {{"exterior_group", "", "their group; null: none of those known by name"},
+       [](S s) { return name_or_null(s.exterior_group); },
+       is_found},
+      {{"exterior_amphichiral", "", "whether one of them reverses orientation"},
+       [](S s) -> Tree { return s.exterior_amphichiral; },
+       is_found},
+      {{"group_order", "", "number of those that extend over what was drilled: the symmetry group"},
+       [](S s) -> Tree { return s.group_order; },
+       is_found},
+      {{"group", "", "its name; null: none of those known"},
+       [](S s) { return name_or_null(s.group); },
+       is_found},
+      {{"amphichiral", "", "whether a symmetry reverses the orientation of space"},
+       [](S s) -> Tree { return s.amphichiral; },
+       is_found}};
+  return fields;
+}
+
+template <>
+const FieldList<PairComparison>& fields_of<PairComparison>() {
+  using P = const PairComparison&;
+  static const FieldList<PairComparison> fields{
+      {{"equivalent", "", "true or false, both proved; null: undecided"},
+       [](P p) { return p.verdict == Verdict::undecided ? Tree() : Tree(p.verdict == Verdict::yes); }},
+      {{"reason", "", "what decides, or what is missing"}, [](P p) -> Tree { return p.reason; }},
+      {{"proof", "", "which kind of proof; null: undecided"},
+       [](P p) { return p.verdict == Verdict::undecided ? Tree() : Tree(to_string(p.proof)); }},
+      {{"exteriors_homeomorphic", "", "true or false; null: undecided"},
+       [](P p) { return p.exteriors ? Tree(*p.exteriors) : Tree(); }},
+      {{"isometries", "", "number of isometries between the exteriors"},
+       [](P p) -> Tree { return p.isometries; }},
+      {{"extending", "", "how many of them extend over what was drilled"},
+       [](P p) -> Tree { return p.extending; }},
+      {{"keeps_orientation", "", "whether one that extends keeps the orientation of space"},
+       [](P p) -> Tree { return p.keeps_orientation; }},
+      {{"reverses_orientation", "", "whether one that extends reverses it"},
+       [](P p) -> Tree { return p.reverses_orientation; }},
+      {{"x", "",
+        "of the first: volume, isometry_signature, exterior_group and group (name and order), "
+        "exterior_amphichiral and amphichiral, where its cells were found"},
+       [](P p) { return tree_of(p.x); }},
+      {{"y", "", "the same of the second"}, [](P p) { return tree_of(p.y); }}};
+  return fields;
+}
+
+} // namespace tetrarch::workshop
