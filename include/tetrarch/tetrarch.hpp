@@ -109,6 +109,7 @@
 #include "tetrarch/hyperbolic/search.hpp"
 #include "tetrarch/hyperbolic/tetrahedron.hpp"
 #include "tetrarch/hyperbolic/volume.hpp"
+#include "tetrarch/identify/finite_images.hpp"
 #include "tetrarch/identify/identify.hpp"
 #include "tetrarch/identify/names.hpp"
 #include "tetrarch/identify/recognise.hpp"

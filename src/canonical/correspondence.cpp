@@ -31,6 +31,14 @@ public:
     for (const auto& [first, second] : pairs) add_loop(first, second);
   }
 
+  /// All is folded, whether words agree or not: the words in which they differ.
+  std::vector<FreeWord> differences() && {
+    stops_ = false;
+    while (fold_once()) {
+    }
+    return std::move(differences_);
+  }
+
   Correspondence::Answer run() {
     while (fold_once()) {
     }
@@ -52,7 +60,7 @@ private:
 
   void add_loop(const FreeWord& first, const FreeWord& second) {
     if (first.empty()) {
-      consistent_ &= second.empty();
+      note(second);
       return;
     }
     int at = 0;
@@ -86,7 +94,7 @@ private:
   /// Folds two edges that leave, or enter, one node with one letter; false if there are none, or if they
   /// disagree. The node where loops start keeps its gauge.
   bool fold_once() {
-    if (!consistent_) return false;
+    if (!consistent_ && stops_) return false;
     std::map<std::pair<int, int>, std::size_t> out;
     std::map<std::pair<int, int>, std::size_t> in;
     for (std::size_t k = 0; k < edges_.size(); ++k) {
@@ -105,8 +113,8 @@ private:
     const int end_of_two = common_start ? two.to : two.from;
     edges_.erase(edges_.begin() + static_cast<std::ptrdiff_t>(l));
     if (end_of_one == end_of_two) {
-      consistent_ &= one.word == two.word;
-      return consistent_;
+      note(product(one.word, inverse(two.word)));
+      return consistent_ || !stops_;
     }
     const bool keeps_two = end_of_two == 0;
     const FreeWord& kept = keeps_two ? two.word : one.word;
@@ -116,9 +124,18 @@ private:
     return true;
   }
 
+  /// A word that should be empty.
+  void note(FreeWord word) {
+    if (word.empty()) return;
+    consistent_ = false;
+    differences_.push_back(std::move(word));
+  }
+
   int nodes_ = 0;
   std::vector<Edge> edges_;
   bool consistent_ = true;
+  bool stops_ = true; ///< at the first difference
+  std::vector<FreeWord> differences_;
 };
 
 } // namespace
@@ -129,6 +146,10 @@ void Correspondence::add(FreeWord first, FreeWord second) {
 
 Correspondence::Answer Correspondence::answer() const {
   return Folding(pairs_).run();
+}
+
+std::vector<FreeWord> Correspondence::kernel() const {
+  return Folding(pairs_).differences();
 }
 
 } // namespace tetrarch::canonical

@@ -197,6 +197,19 @@ bool extends(const Triangulation& a, const Monodromy& words_a, const Isomorphism
   return true;
 }
 
+std::vector<Correspondence> link_loops(const Triangulation& tri, const Monodromy& words_a,
+                                       const Monodromy& words_b) {
+  Isomorphism identity;
+  for (int t = 0; t < tri.size(); ++t) identity.tet.push_back(t);
+  identity.perm.resize(static_cast<std::size_t>(tri.size()));
+  LinkWalk walk(tri, words_a, identity, words_b);
+  std::vector<Correspondence> out;
+  for (int t = 0; t < tri.size(); ++t)
+    for (int v = 0; v < 4; ++v)
+      if (!walk.is_done({t, v})) out.push_back(walk.loops({t, v}));
+  return out;
+}
+
 PairIsometries pair_isometries(const MarkedCells& a, const MarkedCells& b) {
   PairIsometries found;
   found.all = isomorphisms(a.canonical.canonical_triangulation, b.canonical.canonical_triangulation);

@@ -5,6 +5,7 @@
 #include "tetrarch/canonical/pair.hpp"
 #include "tetrarch/core/error.hpp"
 #include "tetrarch/diagram/exterior.hpp"
+#include "tetrarch/identify/finite_images.hpp"
 #include "tetrarch/workshop/diagram.hpp"
 #include "tetrarch/workshop/text.hpp"
 
@@ -21,7 +22,8 @@ using canonical::IsometryAnswer;
 using canonical::MarkedCells;
 using canonical::PairIsometries;
 
-constexpr std::uint64_t seeds = 8; // of ways to simplify an exterior
+constexpr long long most_images = 3'000'000; // homomorphisms to a finite group that are looked at
+constexpr std::uint64_t seeds = 8;           // of ways to simplify an exterior
 
 /// Throws if a neighborhood of the graph has a component that is a ball.
 void require_no_trees(const diagram::Diagram& diagram, const std::string& name) {
@@ -75,10 +77,37 @@ std::string isometries_text(std::size_t count) {
   return count == 1 ? "1 isometry" : std::to_string(count) + " isometries";
 }
 
+/// The exteriors differ.
+void refuse(PairComparison& out, const IsometryAnswer& no) {
+  out.verdict = Verdict::proved_no;
+  out.exteriors = false;
+  out.proof = proof_of(no.proof);
+  out.reason = "the exteriors are not homeomorphic: " + no.reason;
+}
+
+/// The cells of one side with its meridians, and what they tell.
+MarkedCells cells_of(PairSide& side, const diagram::PairExterior& exterior, const CanonicalOptions& how,
+                     const Progress& progress) {
+  const Cells found = workshop::cells(exterior.tri, how, progress);
+  MarkedCells marked;
+  marked.why_not = found.why_not;
+  if (found.verdict() != Verdict::yes) return marked;
+  canonical::MarkedOptions search;
+  search.seed = how.seed;
+  marked = marked_cells(exterior.tri, exterior.monodromy, search, progress);
+  if (!marked.why_not.empty()) return marked;
+  marked.canonical.proof = found.canonical->proof;
+  side.volume = found.volume;
+  add_groups(side, marked);
+  return marked;
+}
+
 /// Both have cells with meridians.
-void decide(PairComparison& out, const MarkedCells& a, const MarkedCells& b, bool proved) {
+void decide(PairComparison& out, const MarkedCells& a, const MarkedCells& b) {
+  const bool proved = a.canonical.proof.certified && b.canonical.proof.certified;
   const PairIsometries between = pair_isometries(a, b);
   out.isometries = between.all.size();
+  if (!between.all.empty()) out.exteriors = true;
   count_hands(out, between.hands);
   if (out.extending > 0) {
     out.verdict = Verdict::yes;
@@ -97,25 +126,48 @@ void decide(PairComparison& out, const MarkedCells& a, const MarkedCells& b, boo
   }
 }
 
-/// Without a structure: a yes if a triangulation is found that both exteriors share with their meridians.
+/// A no of images in finite groups.
+bool differ_in_images(PairComparison& out, const diagram::PairExterior& a, const diagram::PairExterior& b,
+                      const Progress& progress) {
+  for (const std::string& group : identify::finite_groups()) {
+    const auto counts_a = identify::image_counts(a.tri, a.monodromy, group, most_images, progress);
+    const auto counts_b = identify::image_counts(b.tri, b.monodromy, group, most_images, progress);
+    if (!counts_a || !counts_b) return false;
+    if (*counts_a == *counts_b) continue;
+    out.verdict = Verdict::proved_no;
+    out.proof = Proof::images;
+    out.reason = "homomorphisms to " + group +
+                 " have other orders of images of the exterior, of its boundary and of the meridians";
+    return true;
+  }
+  return false;
+}
+
+/// Without a structure: a yes if a triangulation is found that both exteriors share with their meridians, a
+/// no of finite groups.
 void decide_without_cells(PairComparison& out, const diagram::PairExterior& a, const diagram::PairExterior& b,
                           std::uint64_t seed, const Progress& progress) {
   canonical::CommonOptions how;
   how.seed = seed;
   const auto common = common_triangulation(a.tri, a.monodromy, b.tri, b.monodromy, how, progress);
-  if (common.signature.empty()) return;
-  out.exteriors = true;
-  if (common.hands.empty()) {
-    out.reason += "; both exteriors have the triangulation " + common.signature +
-                  ", but no isomorphism between those that were met takes meridians to meridians";
+  if (!common.signature.empty()) out.exteriors = true;
+  if (!common.hands.empty()) {
+    out.verdict = Verdict::yes;
+    out.proof = Proof::isomorphism;
+    count_hands(out, common.hands);
+    out.isometries = common.isomorphisms;
+    out.reason = "both exteriors have the triangulation " + common.signature +
+                 ", and an isomorphism takes meridians to meridians";
     return;
   }
-  out.verdict = Verdict::yes;
-  out.proof = Proof::isomorphism;
-  count_hands(out, common.hands);
-  out.isometries = common.isomorphisms;
-  out.reason = "both exteriors have the triangulation " + common.signature +
-               ", and an isomorphism takes meridians to meridians";
+  const std::string why_not = out.reason;
+  const bool no = differ_in_images(out, a, b, progress);
+  if (!no) out.reason = why_not;
+  if (!common.signature.empty())
+    out.reason += std::string(no ? "; the exteriors are homeomorphic: both have the triangulation "
+                                 : "; both exteriors have the triangulation ") +
+                  common.signature +
+                  (no ? "" : ", but no isomorphism that was met takes meridians to meridians");
 }
 
 const char* yes_no(bool yes) {
@@ -138,8 +190,8 @@ void add_rows(Rows& rows, const PairSide& side) {
 } // namespace
 
 const char* to_string(PairComparison::Proof proof) {
-  constexpr std::array<const char*, 8> names{"none",   "isometry", "boundary",  "homology",
-                                             "volume", "cells",    "meridians", "isomorphism"};
+  constexpr std::array<const char*, 9> names{"none",  "isometry",  "boundary",    "homology", "volume",
+                                             "cells", "meridians", "isomorphism", "images"};
   return names[static_cast<std::size_t>(proof)];
 }
 
@@ -159,39 +211,20 @@ PairComparison compare_pairs(const diagram::Diagram& x, const std::string& name_
     return out;
   }
   const CanonicalOptions how{options.attempts, options.seed, false};
-  const Isometry exteriors = isometry({a->tri, name_x}, {b->tri, name_y}, how, progress);
-  if (exteriors.verdict() == Verdict::proved_no) {
-    out.verdict = Verdict::proved_no;
-    out.exteriors = false;
-    out.proof = proof_of(exteriors.answer.proof);
-    out.reason = "the exteriors are not homeomorphic: " + exteriors.answer.reason;
-  }
-  bool proved = true;
-  std::array<MarkedCells, 2> cells;
-  for (const bool second : {false, true}) {
-    PairSide& side = second ? out.y : out.x;
-    const diagram::PairExterior& exterior = second ? *b : *a;
-    const Cells found = workshop::cells(exterior.tri, how, progress);
-    MarkedCells& marked = cells[second ? 1 : 0];
-    marked.why_not = found.why_not;
-    if (found.verdict() != Verdict::yes) continue;
-    canonical::MarkedOptions search;
-    search.seed = options.seed;
-    marked = marked_cells(exterior.tri, exterior.monodromy, search, progress);
-    if (!marked.why_not.empty()) continue;
-    proved = proved && found.canonical->proof.certified;
-    side.volume = found.volume;
-    add_groups(side, marked);
-  }
+  if (const auto no = differ_without_structure(a->tri, b->tri)) refuse(out, *no);
+  const MarkedCells cells_x = cells_of(out.x, *a, how, progress);
+  const MarkedCells cells_y = cells_of(out.y, *b, how, progress);
   if (out.verdict != Verdict::undecided) return out;
-  if (!cells[0].why_not.empty() || !cells[1].why_not.empty()) {
-    out.reason =
-        cells[0].why_not.empty() ? name_y + ": " + cells[1].why_not : name_x + ": " + cells[0].why_not;
+  if (!cells_x.why_not.empty() || !cells_y.why_not.empty()) {
+    out.reason = cells_x.why_not.empty() ? name_y + ": " + cells_y.why_not : name_x + ": " + cells_x.why_not;
     decide_without_cells(out, *a, *b, options.seed, progress);
     return out;
   }
-  if (exteriors.verdict() == Verdict::yes) out.exteriors = true;
-  decide(out, cells[0], cells[1], proved);
+  const Isometry exteriors = isometry({a->tri, name_x}, {b->tri, name_y}, how, progress);
+  if (exteriors.verdict() == Verdict::proved_no)
+    refuse(out, exteriors.answer);
+  else
+    decide(out, cells_x, cells_y);
   return out;
 }
 

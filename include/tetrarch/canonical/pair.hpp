@@ -43,6 +43,10 @@ public:
   };
   /// Near-quadratic in the sum of the lengths.
   Answer answer() const;
+  /// Second words of what is trivial in the first ones, such that all such second words are products of
+  /// conjugates of these, by second words.
+  std::vector<moves::FreeWord> kernel() const;
+  const std::vector<std::pair<moves::FreeWord, moves::FreeWord>>& pairs() const { return pairs_; }
 
 private:
   std::vector<std::pair<moves::FreeWord, moves::FreeWord>> pairs_;
@@ -69,6 +73,11 @@ MarkedCells marked_cells(const Triangulation& tri, const moves::Monodromy& monod
 /// PreconditionError if a homomorphism is not onto.
 bool extends(const Triangulation& a, const moves::Monodromy& words_a, const Isomorphism& isomorphism,
              const moves::Monodromy& words_b);
+
+/// For each vertex link the loops that generate its group: a word of each, and its second word, of the
+/// corresponding loop by `words_b` (of the same triangulation: the identity is the isomorphism).
+std::vector<Correspondence> link_loops(const Triangulation& tri, const moves::Monodromy& words_a,
+                                       const moves::Monodromy& words_b);
 
 /// The isometries between two exteriors that extend, among all of them.
 struct PairIsometries {

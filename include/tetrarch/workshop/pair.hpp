@@ -29,14 +29,15 @@ struct PairSide {
 /// Whether there is a homeomorphism of space that takes the one neighborhood to the other.
 struct PairComparison {
   enum class Proof {
-    none,       ///< undecided
-    isometry,   ///< one that extends
-    boundary,   ///< the exteriors have different boundaries
-    homology,   ///< or different first homology
-    volume,     ///< or certified volumes in disjoint intervals
-    cells,      ///< or different canonical cells, both proved
-    meridians,  ///< all isometries of the exteriors are known, the cells being proved, and none extends
-    isomorphism ///< triangulations of the exteriors, without a structure: an isomorphism that extends
+    none,        ///< undecided
+    isometry,    ///< one that extends
+    boundary,    ///< the exteriors have different boundaries
+    homology,    ///< or different first homology
+    volume,      ///< or certified volumes in disjoint intervals
+    cells,       ///< or different canonical cells, both proved
+    meridians,   ///< all isometries of the exteriors are known, the cells being proved, and none extends
+    isomorphism, ///< triangulations of the exteriors, without a structure: an isomorphism that extends
+    images       ///< in finite groups, of exterior, boundary and meridians: other orders
   };
   Verdict verdict = Verdict::undecided;
   Proof proof = Proof::none;
@@ -52,7 +53,7 @@ const char* to_string(PairComparison::Proof proof);
 
 struct PairOptions {
   std::uint64_t seed = 1;
-  int attempts = hyperbolic::SearchOptions{}.attempts;
+  int attempts = 200; ///< triangulations on which a structure is sought
 };
 
 /// Two diagrams, with what the answer calls them. Throws InputError if one has a tree among its components.
