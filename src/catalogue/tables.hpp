@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
-/// The texts of census/fmp*.json, compiled into the library by embed.cmake so that an installed program has
+/// The texts of census/fmp*.json and of census/graphs.json, compiled into the library by embed.cmake so that an installed program has
 /// them.
 
 #include <string_view>
@@ -10,5 +10,6 @@
 namespace tetrarch::catalogue::detail {
 
 const std::vector<std::string_view>& embedded_tables();
+std::string_view embedded_graphs();
 
 } // namespace tetrarch::catalogue::detail
