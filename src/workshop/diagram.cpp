@@ -72,7 +72,7 @@ diagram::Diagram open_diagram(const std::string& what, const OpenOptions& option
   if (!is_file(what, options.locate))
     throw InputError(in_quotes(what) + " is no file, no name of a knot, link or graph and no code of a "
                                        "diagram (expected embedding, PD, X[...], "
-                                       "braid, DT or Gauss)");
+                                       "braid, DT, Gauss or Conway)");
   const std::string source = format::source_name(what);
   const std::string text = format::read_file(located(what, options.locate));
   if (diagram::looks_like_diagram(text) || !diagram::looks_like_curve(text))

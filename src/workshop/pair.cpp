@@ -289,27 +289,36 @@ template <>
 const FieldList<PairComparison>& fields_of<PairComparison>() {
   using P = const PairComparison&;
   static const FieldList<PairComparison> fields{
-      {{"equivalent", "", "true or false, both proved; null: undecided"},
+      {{"equivalent", "", "with --pair: true or false, both proved; null: undecided"},
        [](P p) { return p.verdict == Verdict::undecided ? Tree() : Tree(p.verdict == Verdict::yes); }},
       {{"reason", "", "what decides, or what is missing"}, [](P p) -> Tree { return p.reason; }},
       {{"proof", "", "which kind of proof; null: undecided"},
        [](P p) { return p.verdict == Verdict::undecided ? Tree() : Tree(to_string(p.proof)); }},
-      {{"exteriors_homeomorphic", "", "true or false; null: undecided"},
+      {{"exteriors_homeomorphic", "", "with --pair: true or false; null: undecided"},
        [](P p) { return p.exteriors ? Tree(*p.exteriors) : Tree(); }},
-      {{"isometries", "", "number of isometries between the exteriors"},
+      {{"isometries", "", "with --pair: number of isometries between the exteriors"},
        [](P p) -> Tree { return p.isometries; }},
-      {{"extending", "", "how many of them extend over what was drilled"},
+      {{"extending", "", "with --pair: how many of them extend over what was drilled"},
        [](P p) -> Tree { return p.extending; }},
-      {{"keeps_orientation", "", "whether one that extends keeps the orientation of space"},
+      {{"keeps_orientation", "", "with --pair: whether one that extends keeps the orientation of space"},
        [](P p) -> Tree { return p.keeps_orientation; }},
-      {{"reverses_orientation", "", "whether one that extends reverses it"},
+      {{"reverses_orientation", "", "with --pair: whether one that extends reverses it"},
        [](P p) -> Tree { return p.reverses_orientation; }},
       {{"x", "",
-        "of the first: volume, isometry_signature, exterior_group and group (name and order), "
+        "with --pair, of the first: volume, isometry_signature, exterior_group and group (name and order), "
         "exterior_amphichiral and amphichiral, where its cells were found"},
        [](P p) { return tree_of(p.x); }},
-      {{"y", "", "the same of the second"}, [](P p) { return tree_of(p.y); }}};
+      {{"y", "", "with --pair: the same of the second"}, [](P p) { return tree_of(p.y); }}};
   return fields;
+}
+
+std::vector<FieldNote> notes_with_pairs() {
+  std::vector<FieldNote> notes = notes_of<Isometry>();
+  for (const FieldNote& note : notes_of<PairComparison>())
+    if (std::none_of(notes.begin(), notes.end(),
+                     [&note](const FieldNote& n) { return std::string(n.name) == note.name; }))
+      notes.push_back(note);
+  return notes;
 }
 
 } // namespace tetrarch::workshop

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "tetrarch/diagram/names.hpp"
 
+#include "tetrarch/core/error.hpp"
 #include "tetrarch/diagram/exterior.hpp"
 #include "tetrarch/diagram/moves.hpp"
+#include "tetrarch/diagram/read.hpp"
 #include "tetrarch/hyperbolic/search.hpp"
 #include "tetrarch/identify/identify.hpp"
 
@@ -102,6 +104,35 @@ TEST_CASE("graphs by name", "[names]") {
     if (name.starts_with("handcuff")) CHECK(loops == 2);
   }
   CHECK(graphs == 21 + 26 + 13);
+}
+
+TEST_CASE("Conway's notation of the knots to nine crossings", "[names]") {
+  // Conway (1970); Rolfsen, appendix C: one knot of each kind of notation, two links.
+  const auto signature_of = [](const Diagram& diagram) {
+    return identify::identify(exterior(diagram)).isometry_signature;
+  };
+  for (const auto& [code, name] : std::map<std::string, std::string>{{"Conway[2 2]", "4_1"},
+                                                                     {"Conway[3 2]", "5_2"},
+                                                                     {"Conway[4 2]", "6_1"},
+                                                                     {"Conway[3 1 2]", "6_2"},
+                                                                     {"Conway[2 1 1 2]", "6_3"},
+                                                                     {"Conway[2 1 1 1 2]", "7_7"},
+                                                                     {"Conway[3, 3, 2]", "8_5"},
+                                                                     {"Conway[2 1, 2 1, 2]", "8_15"},
+                                                                     {"Conway[3, 2 1, -2]", "8_20"},
+                                                                     {"Conway[3, 3, 2+]", "9_16"},
+                                                                     {"Conway[3, 3, -2 -1]", "9_46"},
+                                                                     {"Conway[2 1 2]", "L5a1"},
+                                                                     {"Conway[2 2 1 1 1 2]", "9_31"}}) {
+    INFO(code << " is " << name);
+    const Diagram diagram = read_diagram(code, "test");
+    CHECK_FALSE(signature_of(diagram).empty());
+    CHECK(signature_of(diagram) == signature_of(*named_diagram(name)));
+  }
+  CHECK(crossing_count(read_diagram("Conway[3 1 2]", "test")) == 6);
+  for (const char* wrong :
+       {"Conway[]", "Conway[3", "Conway[3 x]", "Conway 3", "Conway[3,]", "Conway[2000000]"})
+    CHECK_THROWS_AS(read_diagram(wrong, "test"), InputError);
 }
 
 TEST_CASE("what is no name of a knot", "[names]") {

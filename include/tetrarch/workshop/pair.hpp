@@ -9,6 +9,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace tetrarch::workshop {
 
@@ -63,6 +64,9 @@ PairComparison compare_pairs(const diagram::Diagram& x, const std::string& name_
 
 /// Some lines for people.
 std::string text_of(const PairComparison& found);
+
+/// The fields of an Isometry, and those that a PairComparison has besides.
+std::vector<FieldNote> notes_with_pairs();
 
 template <>
 const FieldList<PairSide>& fields_of<PairSide>();
