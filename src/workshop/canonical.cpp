@@ -400,6 +400,10 @@ Isometry isometry(const Compared& x, const Compared& y, const CanonicalOptions& 
   return found;
 }
 
+std::optional<IsometryAnswer> differ_without_structure(const Triangulation& x, const Triangulation& y) {
+  return differ(x, boundary_of(x), y, boundary_of(y));
+}
+
 std::string text_of(const Isometry& found) {
   const bool yes = is_yes(found);
   const char* const word = yes ? "isometric" : is_undecided(found) ? "undecided" : "not isometric";
