@@ -133,7 +133,7 @@ JobOutcome run_job(const Job& job, const Values* values, const std::string& spea
                       nullptr};
   };
   const ProgressBar bar(!common.quiet);
-  const double most_memory = common.memory.value_or(usual_memory());
+  const double most_memory = common.memory ? *common.memory : usual_memory();
   try {
     restore_reserves(); // an earlier job may have used them
     bound_memory(most_memory);
