@@ -81,7 +81,7 @@ public:
     std::vector<double> start(static_cast<std::size_t>(problem_.edges()), 1.0);
     for (int e = 0; e < problem_.edges(); ++e)
       if (problem_.is_null(e)) start[e] = 0;
-    if (accept(solved_from(start))) return std::move(result_);
+    if (options_.use_newton && accept(solved_from(start))) return std::move(result_);
     if (!options_.use_homotopy) return std::move(result_);
     result_.method = OrbifoldMethod::homotopy;
     const SignedSystem system(problem_, types_.size());

@@ -59,6 +59,8 @@ struct OrbifoldOptions {
   double step_tolerance = 1e-6;
   /// Largest |length| of an accepted solution, horospheres apart.
   double length_limit = 12;
+  /// The two ways, in this order.
+  bool use_newton = true;
   bool use_homotopy = true;
   /// Steps of Newton's method along the homotopy, in all.
   int most_steps = 600;
