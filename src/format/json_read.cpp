@@ -69,7 +69,8 @@ Marks read_marks(Json& root, const Triangulation& tri) {
   const int last = tri.size() - 1;
   Marks marks = take_list(*list, path, std::nullopt, "marks", [last](const Json& mark, const JsonPath& at) {
     require_array(mark, at, 3, "entries: a tetrahedron, an edge, an order");
-    const int tet = read_integer(mark[0], below(at, 0), 0, last, "a tetrahedron, 0 to " + std::to_string(last));
+    const int tet =
+        read_integer(mark[0], below(at, 0), 0, last, "a tetrahedron, 0 to " + std::to_string(last));
     const EdgeMark read{{tet, read_edge(mark[1], below(at, 1))}, read_double(mark[2], below(at, 2))};
     if (!is_edge_order(read.order)) fail_found(below(at, 2), mark[2], "0, 1 or a number above 1");
     return read;

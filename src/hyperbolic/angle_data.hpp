@@ -30,8 +30,8 @@ struct AngleData {
   Scalar spread_error = 0;
 };
 
-/// Of a tetrahedron that exists, or nothing; `null` edges are meant to have g = 0, others not. The errors are those of rounding: the lengths count as exact,
-/// and `form` as theirs within four units.
+/// Of a tetrahedron that exists, or nothing; `null` edges are meant to have g = 0, others not. The errors are
+/// those of rounding: the lengths count as exact, and `form` as theirs within four units.
 template <class Scalar>
 std::optional<AngleData<Scalar>> angle_data(const std::array<kernel::EdgeForm<Scalar>, 6>& form,
                                             const VertexTypes& types, const kernel::NullEdges& null = {});

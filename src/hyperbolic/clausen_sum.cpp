@@ -124,8 +124,9 @@ private:
   Scalar re_error_ = 0, sines_error_ = 0, bends_error_ = 0;
 };
 
-/// How much Cl can change between two arguments within three drifts of 0, where its slope is infinite: |Cl(x)| <=
-/// |x| (1 - log |x|) for |x| <= 1. At an ideal vertex that a null edge meets, an argument is 0 exactly.
+/// How much Cl can change between two arguments within three drifts of 0, where its slope is infinite:
+/// |Cl(x)| <= |x| (1 - log |x|) for |x| <= 1. At an ideal vertex that a null edge meets, an argument is 0
+/// exactly.
 template <class Scalar>
 Scalar beside_zero(const Scalar& drift) {
   using std::log;

@@ -15,8 +15,8 @@ namespace tetrarch::hyperbolic {
 namespace {
 
 constexpr std::array<const char*, orbifold_outcome_count> outcome_names{
-    "geometric", "turned_over", "bad_vertex", "null_edge", "low_valence", "not_found", "boundary_faces",
-    "invalid"};
+    "geometric",   "turned_over", "bad_vertex",     "null_edge",
+    "low_valence", "not_found",   "boundary_faces", "invalid"};
 
 /// Sums of fractions 1 - 1/n that differ by less are equal.
 constexpr double same_euler = 1e-9;
@@ -70,8 +70,9 @@ public:
   OrbifoldSolver(const Skeleton& skeleton, const EdgeOrders& orders, const OrbifoldOptions& options,
                  const Progress& progress)
       : skeleton_(skeleton), options_(options), progress_(progress),
-        types_(types_of(orbifold_euler(skeleton, orders))), problem_(skeleton, types_, orders),
-        goals_{options.tolerance, options.step_tolerance, options.length_limit, 100} {
+        types_(types_of(orbifold_euler(skeleton, orders))),
+        problem_(skeleton, types_, orders), goals_{options.tolerance, options.step_tolerance,
+                                                   options.length_limit, 100} {
     result_.orders = orders;
     result_.types = types_;
     result_.outcome = OrbifoldOutcome::not_found;
@@ -92,9 +93,9 @@ public:
 
 private:
   Run<double> solved_from(std::vector<double> start) const {
-    const bool convex = !has_finite(types_) &&
-                        std::all_of(problem_.tets.begin(), problem_.tets.end(),
-                                    [](const Problem::Tet& tet) { return tet.orientation > 0; });
+    const bool convex =
+        !has_finite(types_) && std::all_of(problem_.tets.begin(), problem_.tets.end(),
+                                           [](const Problem::Tet& tet) { return tet.orientation > 0; });
     if (!convex) return least_norm_newton(problem_, std::move(start), goals_, progress_.silent());
     Run<double> run = newton(problem_, std::move(start), goals_, progress_);
     if (run.stopped) throw Stopped();
@@ -177,8 +178,8 @@ private:
       SixNumbers<double> six;
       if (flat) { // its volume is the integral of sum l d theta / 2 from where its angles are 0 and pi
         for (int e = 0; e < 6; ++e)
-          error += std::abs(lengths[problem_.tets[t].edge[e]]) *
-                   (std::abs(std::sin(state.angles[t][e])) + 1e-14);
+          error +=
+              std::abs(lengths[problem_.tets[t].edge[e]]) * (std::abs(std::sin(state.angles[t][e])) + 1e-14);
         continue;
       }
       std::array<kernel::EdgeForm<double>, 6> form;

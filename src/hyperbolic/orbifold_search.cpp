@@ -30,7 +30,8 @@ public:
 
   OrbifoldSearch run(const Triangulation& given, const Marks& marks) {
     const Skeleton skeleton(given);
-    if (!skeleton.is_connected()) throw PreconditionError("find_orbifold: the triangulation is not connected");
+    if (!skeleton.is_connected())
+      throw PreconditionError("find_orbifold: the triangulation is not connected");
     if (settled({given, marks})) return std::move(found_);
     moves::MarkedComplex small(given, skeleton, edge_orders(skeleton, marks));
     moves::reduce(small, progress_);
@@ -85,7 +86,9 @@ private:
     const bool first = found_.attempts++ == 0;
     ++found_.seen[static_cast<std::size_t>(s.outcome)];
     const bool over = s.outcome == OrbifoldOutcome::geometric || hopeless(s.outcome);
-    if (first || over || distance(s) <= distance(found_.structure)) {
+    const int here = distance(s);
+    const int there = distance(found_.structure);
+    if (first || over || here < there || (here == there && s.solved())) {
       found_.triangulation = marked.tri;
       found_.marks = marked.marks;
       found_.structure = std::move(s);

@@ -11,8 +11,8 @@
 
 namespace tetrarch::hyperbolic {
 
-/// A closed gluing as equations K_e(l) = 0. Null edges (order 0) have no equation; their length is no unknown,
-/// and is kept at 0.
+/// A closed gluing as equations K_e(l) = 0. Null edges (order 0) have no equation; their length is no
+/// unknown, and is kept at 0.
 struct Problem {
   struct Tet {
     std::array<int, 6> edge;

@@ -60,9 +60,8 @@ public:
 private:
   void set_targets(double divisor) {
     for (int e = 0; e < problem_.edges(); ++e)
-      target_[e] = problem_.is_null(e)
-                       ? 0
-                       : 2 * std::numbers::pi / problem_.order[e] / (divided_[e] ? divisor : 1);
+      target_[e] =
+          problem_.is_null(e) ? 0 : 2 * std::numbers::pi / problem_.order[e] / (divided_[e] ? divisor : 1);
   }
 
   /// Newton's method on the defects, damped where they would grow. True if they end below `goal`.

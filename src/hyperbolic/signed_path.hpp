@@ -15,7 +15,8 @@ struct SignedPath {
   int steps = 0;      ///< of Newton's method
 };
 
-/// `divided[e]`: whether the angle at edge class e is divided by the parameter, which comes down from `first` to
+/// `divided[e]`: whether the angle at edge class e is divided by the parameter, which comes down from `first`
+/// to
 /// 1. At most `most_steps` steps.
 SignedPath follow_path(const Problem& problem, const SignedSystem& system, const std::vector<bool>& divided,
                        double first, int most_steps, const Progress& progress);

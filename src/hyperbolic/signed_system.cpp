@@ -8,8 +8,8 @@ namespace tetrarch::hyperbolic {
 namespace {
 
 constexpr double first_w = -1.8;
-/// Determinants are divided by this, so that an equation of a tetrahedron changes as fast as one of an edge: at
-/// the start, a determinant is -97.
+/// Determinants are divided by this, so that an equation of a tetrahedron changes as fast as one of an edge:
+/// at the start, a determinant is -97.
 constexpr double determinant_unit = 50;
 
 /// A number with its derivatives by the ten entries of W: by W_ij for the six edges, then by the W_ii. Enough
@@ -97,9 +97,9 @@ numeric::Matrix4<double> SignedSystem::gram(const SignedState& state, const Prob
   for (int e = 0; e < 6; ++e) {
     const auto [i, j] = edge_vertex[e];
     const bool null = number_[tet.edge[e]] < 0;
-    m[i][j] = null ? -state.unknowns[first_vertex_ + tet.vertex[i]] *
-                         state.unknowns[first_vertex_ + tet.vertex[j]]
-                   : w(state, tet.edge[e]);
+    m[i][j] =
+        null ? -state.unknowns[first_vertex_ + tet.vertex[i]] * state.unknowns[first_vertex_ + tet.vertex[j]]
+             : w(state, tet.edge[e]);
     m[j][i] = m[i][j];
   }
   return m;

@@ -57,8 +57,7 @@ std::optional<VolumePart<Scalar>> part_in_scalar(const SixNumbers<Scalar>& lengt
 
 /// In 60 digits, and brought back so that the value fits the rounded angles.
 std::optional<VolumePart<double>> part_in_60_digits(const SixNumbers<double>& lengths,
-                                                    const VertexTypes& types,
-                                                    const kernel::NullEdges& null) {
+                                                    const VertexTypes& types, const kernel::NullEdges& null) {
   SixNumbers<numeric::Real50> precise;
   std::array<kernel::EdgeForm<numeric::Real50>, 6> form;
   for (int e = 0; e < 6; ++e) {
@@ -99,7 +98,7 @@ std::optional<VolumePart<Scalar>> volume_part(const SixNumbers<Scalar>& lengths,
 
 #define TETRARCH_INSTANTIATE(Scalar)                                                                         \
   template std::optional<VolumePart<Scalar>> volume_part(const SixNumbers<Scalar>&, const VertexTypes&,      \
-                                                         const std::array<kernel::EdgeForm<Scalar>, 6>&,    \
+                                                         const std::array<kernel::EdgeForm<Scalar>, 6>&,     \
                                                          const kernel::NullEdges&);
 TETRARCH_FOR_EACH_SCALAR(TETRARCH_INSTANTIATE)
 #undef TETRARCH_INSTANTIATE

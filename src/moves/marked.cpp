@@ -68,8 +68,7 @@ bool MarkedComplex::may_shrink(const Move& move) const {
     }
   }
   const auto is_point = [this](VertexId v) { return complex_.link(v) == LinkKind::sphere; };
-  if (order(shrinking) == 1)
-    return (is_point(from) && at[0].empty()) || (is_point(to) && at[1].empty());
+  if (order(shrinking) == 1) return (is_point(from) && at[0].empty()) || (is_point(to) && at[1].empty());
   const auto is_passed = [&](VertexId v, const std::vector<double>& orders) {
     return is_point(v) && orders.size() == 2 && orders[0] == orders[1];
   };

@@ -9,8 +9,8 @@
 namespace tetrarch::workshop {
 namespace {
 
-using hyperbolic::Outcome;
 using hyperbolic::OrbifoldOutcome;
+using hyperbolic::Outcome;
 
 /// The homotopy takes (2 n)^3 operations a step: beyond, a try takes minutes.
 constexpr int most_tets = 150;
@@ -60,7 +60,7 @@ hyperbolic::OrbifoldSearch find_marked(const Triangulation& tri, const Structure
                                        const Progress& progress) {
   hyperbolic::OrbifoldSearchOptions how;
   how.seed = options.seed;
-  how.attempts = options.as_given ? 1
+  how.attempts = options.as_given                                  ? 1
                  : options.attempts == StructureOptions{}.attempts ? tries_for(tri.size())
                                                                    : options.attempts;
   return find_orbifold(tri, options.marks, how, progress);

@@ -238,24 +238,26 @@ Structure as_orbifold(const Triangulation& tri, const StructureOptions& options,
   return {std::move(search), std::move(skeleton), {}, {}, {}, options.digits, std::move(found)};
 }
 
-bool is_closed_manifold(const Structure& s) {
-  for (const VertexId v : all<VertexId>(s.skeleton.vertex_count()))
-    if (!s.skeleton.link(v).is_sphere()) return false;
-  return s.search.structure.outcome == Outcome::finite_vertices;
+bool is_closed_manifold(const Skeleton& skeleton) {
+  for (const VertexId v : all<VertexId>(skeleton.vertex_count()))
+    if (!skeleton.link(v).is_sphere()) return false;
+  return !skeleton.has_boundary_faces();
 }
 
 Structure found_any_way(const Triangulation& tri, const StructureOptions& options, const Progress& progress) {
   if (!options.marks.empty()) return as_orbifold(tri, options, progress);
+  const bool may_be_closed = options.method == hyperbolic::Method::newton;
+  if (may_be_closed && is_worth_trying(tri) && is_closed_manifold(Skeleton(tri)))
+    return as_orbifold(tri, options, progress);
   Structure found = without_marks(tri, options, progress);
-  if (!is_closed_manifold(found) || options.method == hyperbolic::Method::flow ||
-      !is_worth_trying(found.search.triangulation))
+  if (!may_be_closed || found.search.structure.outcome != Outcome::finite_vertices ||
+      !is_worth_trying(found.search.triangulation) || !is_closed_manifold(found.skeleton))
     return found;
   const int spheres = found.search.filled_spheres;
-  const bool changed = found.search.changed;
   Structure closed = as_orbifold(found.search.triangulation, options, progress);
   closed.search.filled_spheres = spheres;
-  closed.search.changed = closed.search.changed || changed;
-  closed.orbifold->changed = closed.search.changed;
+  closed.search.changed = true;
+  closed.orbifold->changed = true;
   return closed;
 }
 
@@ -333,8 +335,9 @@ template <>
 const FieldList<Structure>& fields_of<Structure>() {
   using S = const Structure&;
   static const FieldList<Structure> fields{
-      {{"outcome", "", "geometric, turned over (solved, but some tetrahedra are flat or inside out), not "
-                       "hyperbolic (proved), or not found"},
+      {{"outcome", "",
+        "geometric, turned over (solved, but some tetrahedra are flat or inside out), not "
+        "hyperbolic (proved), or not found"},
        [](S s) -> Tree { return outcome_word(s); }},
       {{"reason", "", "why there is no structure, in a word"},
        [](S s) -> Tree { return reason_word(s); },
@@ -342,16 +345,15 @@ const FieldList<Structure>& fields_of<Structure>() {
       {{"explanation", "", "the same with its place"},
        [](S s) -> Tree { return reason(s); },
        is_not_geometric},
-      {{"tried", "", "how structures were sought"},
-       [](S s) -> Tree { return tried(s); },
-       is_not_geometric},
+      {{"tried", "", "how structures were sought"}, [](S s) -> Tree { return tried(s); }, is_not_geometric},
       {{"solved_by", "", "newton or homotopy: how marked edges or a closed manifold were solved"},
        [](S s) -> Tree { return to_string(s.orbifold->structure.method); },
        has_orbifold},
       {{"marks", "", "of each marked edge a tetrahedron, its edge, and the order; 0: parabolic"},
        [](S s) -> Tree { return marks_tree(*s.orbifold); },
        has_marks},
-      {{"vertices", "", "of each vertex its type, its link, and the link's Euler characteristic with the marks"},
+      {{"vertices", "",
+        "of each vertex its type, its link, and the link's Euler characteristic with the marks"},
        [](S s) -> Tree { return vertices_tree(*s.orbifold, s.skeleton); },
        has_orbifold},
       {{"orientation", "", "of each tetrahedron 1, 0 (flat) or -1 (turned over)"},

@@ -165,7 +165,8 @@ TEST_CASE("marks survive", "[json]") {
   CHECK(write_json(again) == text);
   // What else can be written has no place for them, and says so.
   for (const FileFormat format : {FileFormat::snappea, FileFormat::signature})
-    CHECK(write_any(document, format).warnings.back() == "the orders of 2 edges are left out: only JSON holds them");
+    CHECK(write_any(document, format).warnings.back() ==
+          "the orders of 2 edges are left out: only JSON holds them");
   document.marks.clear();
   CHECK(write_json(document).find("marks") == std::string::npos);
 }

@@ -56,9 +56,10 @@ TEST_CASE("an Orb file is read", "[orb]") {
 TEST_CASE("an Orb file of a graph's complement is read", "[orb]") {
   const Document document = read_any(graph, "f");
   CHECK(document.passed_over.empty());
-  // The three singular edges of the file, all of order 0; by hand: 1wu is the edge vx of tetrahedron 0, 1xw and 2vu
-  // the edges uv of tetrahedron 0 and wx of tetrahedron 1.
-  CHECK(document.marks == Marks{{{0, edge_number[1][3]}, 0}, {{0, edge_number[0][1]}, 0}, {{1, edge_number[2][3]}, 0}});
+  // The three singular edges of the file, all of order 0; by hand: 1wu is the edge vx of tetrahedron 0, 1xw
+  // and 2vu the edges uv of tetrahedron 0 and wx of tetrahedron 1.
+  CHECK(document.marks ==
+        Marks{{{0, edge_number[1][3]}, 0}, {{0, edge_number[0][1]}, 0}, {{1, edge_number[2][3]}, 0}});
   // The second route: the degrees of the file's edges are those of the skeleton.
   const Skeleton skeleton(document.triangulation);
   CHECK(skeleton.is_orientable());

@@ -11,7 +11,8 @@
 
 namespace tetrarch::hyperbolic::samples {
 
-/// Per tetrahedron four words "neighbor:images of 0123", one a face: "1:1302 1:1302 1:1302 1:1302 0:2031 ...".
+/// Per tetrahedron four words "neighbor:images of 0123", one a face: "1:1302 1:1302 1:1302 1:1302 0:2031
+/// ...".
 inline Triangulation gluings(const std::string& text) {
   std::istringstream in(text);
   std::vector<std::pair<int, Perm4>> words;
@@ -35,8 +36,7 @@ inline Marks marks(const std::string& text) {
     const std::size_t colon = word.find(':');
     const int i = word[dash + 1] - '0';
     const int j = word[dash + 2] - '0';
-    list.push_back(
-        {{std::stoi(word.substr(0, dash)), edge_number[i][j]}, std::stod(word.substr(colon + 1))});
+    list.push_back({{std::stoi(word.substr(0, dash)), edge_number[i][j]}, std::stod(word.substr(colon + 1))});
   }
   return list;
 }

@@ -54,8 +54,8 @@ struct Known {
   double volume;
 };
 
-// Volumes of these gluings by a solver that was written apart from this one, and which agrees with the angles in
-// Orb's example files; 3.663862376709 is that of the regular ideal octahedron, 7.327724753418 of two.
+// Volumes of these gluings by a solver that was written apart from this one, and which agrees with the angles
+// in Orb's example files; 3.663862376709 is that of the regular ideal octahedron, 7.327724753418 of two.
 const std::vector<Known>& known() {
   static const std::vector<Known> list{
       {"0:1023 0:1023 0:0132 0:0132", "0-01:0 0-02:0 0-23:0", 3.663862376709},
@@ -76,8 +76,8 @@ std::string orb(const std::string& edges) {
   return "% orb\nname\nSolutionType not_attempted\nvertices_known\n\n" + edges;
 }
 
-// Lines of edges of Orb's example files 1_1^2.20, 1_1^2.1 and honours3. The first two are one orbifold; Orb calls
-// the second partially flat and the third not geometric.
+// Lines of edges of Orb's example files 1_1^2.20, 1_1^2.1 and honours3. The first two are one orbifold; Orb
+// calls the second partially flat and the third not geometric.
 const char* const positive = "  1  3 2.000  2  2  2xv  1vw  3xv\n"
                              "  2  1 3.000  1  1  4wv\n"
                              "  3  0 1.000  2  1  1xu  4vu  4uw  1vx  3wv\n"
@@ -138,9 +138,9 @@ TEST_CASE("the types of vertices follow from the marks", "[orbifold]") {
   CHECK(types({"2", "2", "3", "3", "6", "3"}) == "fifh"); // 2,2,3; 2,3,6; 2,3,3; 3,6,3
   CHECK(types({"2", "0", "0", "2", "0", "0"}) == "hihh"); // 2,0,0; 2,2,0; 0,2,0; 0,0,0
   CHECK(types({"3", "3", "3", "3", "3", "3"}) == "iiii");
-  const auto euler = orbifold_euler(skeleton, edge_orders(skeleton, samples::marks(k4_orders({"2", "2", "3",
-                                                                                             "3", "6", "3"}))));
-  CHECK(euler[skeleton.vertex({0, 0})] == Approx(1.0 / 3)); // 2 - 1/2 - 1/2 - 2/3
+  const auto euler = orbifold_euler(
+      skeleton, edge_orders(skeleton, samples::marks(k4_orders({"2", "2", "3", "3", "6", "3"}))));
+  CHECK(euler[skeleton.vertex({0, 0})] == Approx(1.0 / 3));  // 2 - 1/2 - 1/2 - 2/3
   CHECK(euler[skeleton.vertex({0, 3})] == Approx(-1.0 / 6)); // 2 - 2/3 - 5/6 - 2/3
 }
 
@@ -182,7 +182,8 @@ TEST_CASE("Schlaefli's formula holds with cone angles", "[orbifold]") {
   }
 }
 
-// Integrating dV = -1/2 sum l d(2 pi / n) from angle 0, where l behaves like c / n: n^2 (V_0 - V) -> pi/2 sum n l.
+// Integrating dV = -1/2 sum l d(2 pi / n) from angle 0, where l behaves like c / n: n^2 (V_0 - V) -> pi/2 sum
+// n l.
 TEST_CASE("small cone angles tend to parabolic meridians", "[orbifold]") {
   const double limit = solve(samples::theta, "0-01:0 0-12:0 1-23:0").volume;
   const Triangulation tri = samples::gluings(samples::theta);
@@ -220,8 +221,8 @@ TEST_CASE("tetrahedra that turn over add up to the right volume", "[orbifold][ho
   CHECK(c.residual < 1e-11);
 }
 
-// Isomorphism signatures and volumes (by SnapPea's kernel) of Regina's census of closed hyperbolic manifolds: the
-// first five, and three further down.
+// Isomorphism signatures and volumes (by SnapPea's kernel) of Regina's census of closed hyperbolic manifolds:
+// the first five, and three further down.
 TEST_CASE("closed manifolds are solved by the homotopy", "[orbifold][homotopy]") {
   const std::vector<std::pair<const char*, double>> census{
       {"jLvMLQQbfefgihhiixiptvvvgof", 0.9427073627769277},
@@ -239,7 +240,8 @@ TEST_CASE("closed manifolds are solved by the homotopy", "[orbifold][homotopy]")
   }
 }
 
-// S^3, lens spaces and the like have no hyperbolic structure; found by hand: their groups are finite or cyclic.
+// S^3, lens spaces and the like have no hyperbolic structure; found by hand: their groups are finite or
+// cyclic.
 TEST_CASE("closed manifolds without a structure are not given one", "[orbifold][homotopy]") {
   int asked = 0;
   for (const support::ZooEntry& entry : support::zoo()) {
@@ -247,7 +249,8 @@ TEST_CASE("closed manifolds without a structure are not given one", "[orbifold][
     const Skeleton skeleton(tri);
     if (tri.size() == 0 || skeleton.has_boundary_faces() || !skeleton.is_connected()) continue;
     bool closed = true;
-    for (const VertexId v : all<VertexId>(skeleton.vertex_count())) closed = closed && skeleton.link(v).is_sphere();
+    for (const VertexId v : all<VertexId>(skeleton.vertex_count()))
+      closed = closed && skeleton.link(v).is_sphere();
     if (!closed || why_no_orbifold(skeleton, EdgeOrders(skeleton.edge_count(), 1.0))) continue;
     if (entry.name == "Weber-Seifert space" || entry.name == "Weeks manifold") continue; // hyperbolic
     INFO(entry.name);
@@ -259,11 +262,10 @@ TEST_CASE("closed manifolds without a structure are not given one", "[orbifold][
   CHECK(asked >= 1);
 }
 
-// The dodecahedron with dihedral angles 2 pi / 5: volume 11.19906474... (Weber and Seifert 1933; Regina's census
-// does not go so far).
+// The dodecahedron with dihedral angles 2 pi / 5: volume 11.19906474... (Weber and Seifert 1933; Regina's
+// census does not go so far).
 TEST_CASE("the Weber-Seifert space has its volume", "[orbifold][homotopy][slow]") {
-  const OrbifoldSearch found =
-      find_orbifold(support::zoo("Weber-Seifert space").triangulation(), {}, {});
+  const OrbifoldSearch found = find_orbifold(support::zoo("Weber-Seifert space").triangulation(), {}, {});
   REQUIRE(found.structure.solved());
   CHECK(std::abs(found.structure.volume - 11.199064740893) < 1e-8);
 }

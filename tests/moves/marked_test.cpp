@@ -38,9 +38,8 @@ std::vector<std::vector<double>> orders_at_vertices(const MarkedTriangulation& m
     for (const VertexId v : {a, b}) all[static_cast<std::size_t>(v.value)].push_back(orders[e]);
   }
   for (auto& list : all) std::sort(list.begin(), list.end());
-  std::erase_if(all, [](const auto& list) {
-    return list.empty() || (list.size() == 2 && list[0] == list[1]);
-  });
+  std::erase_if(all,
+                [](const auto& list) { return list.empty() || (list.size() == 2 && list[0] == list[1]); });
   std::sort(all.begin(), all.end());
   return all;
 }
@@ -58,8 +57,8 @@ TEST_CASE("a marked complex gives back what it was given", "[marked]") {
 }
 
 TEST_CASE("no random move loses a mark", "[marked]") {
-  const MarkedTriangulation start{complete_graph(),
-                                  {{{0, 0}, 2}, {{0, 1}, 3}, {{0, 2}, 4}, {{0, 3}, 5}, {{0, 4}, 6}, {{0, 5}, 0}}};
+  const MarkedTriangulation start{
+      complete_graph(), {{{0, 0}, 2}, {{0, 1}, 3}, {{0, 2}, 4}, {{0, 3}, 5}, {{0, 4}, 6}, {{0, 5}, 0}}};
   const auto before = orders_at_vertices(start);
   REQUIRE(before.size() == 4);
   SplitMix64 random(7);
@@ -86,8 +85,8 @@ TEST_CASE("an unmarked complex is made as small as an unmarked one", "[marked]")
 }
 
 TEST_CASE("a vertex on a marked edge is merged away along it, and no other", "[marked]") {
-  // A path of two edges of order 3 and one of order 4 behind it, in the boundary of a 4-simplex: the middle of the
-  // first two is a point of the edge, the next one is not.
+  // A path of two edges of order 3 and one of order 4 behind it, in the boundary of a 4-simplex: the middle
+  // of the first two is a point of the edge, the next one is not.
   const Triangulation tri = support::zoo("S^3, boundary of a 4-simplex").triangulation();
   const Skeleton skeleton(tri);
   const auto edge_between = [&](int a, int b) {

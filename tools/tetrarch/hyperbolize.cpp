@@ -46,7 +46,8 @@ Marks marks_asked_for(const Options& options, const format::Document& document) 
   }
   for (const std::string& word : options.cones) {
     const std::size_t colon = word.rfind(':');
-    const auto order = colon == std::string::npos ? std::nullopt : format::parse_double(word.substr(colon + 1));
+    const auto order =
+        colon == std::string::npos ? std::nullopt : format::parse_double(word.substr(colon + 1));
     if (!order || !is_edge_order(*order))
       throw InputError("--cone: found " + in_quotes(word) +
                        " (expected an edge and a number n of at least 1, for the angle 2 pi / n: 5:3)");
