@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Reading and writing whole files, by POSIX calls: streams cannot tell why something failed.
+// Reading and writing whole files, by POSIX calls.
+#include "descriptor.hpp"
 #include "tetrarch/format/new_files.hpp"
 #include "tetrarch/format/text.hpp"
 
@@ -19,46 +20,10 @@ namespace tetrarch::format {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string reason(int error) {
-  return std::generic_category().message(error);
-}
-
-[[noreturn]] void fail(const std::string& path, const std::string& what) {
-  throw InputError(Place{source_name(path), 0}, what);
-}
-
-/// An open file that closes itself.
-class Descriptor {
-public:
-  explicit Descriptor(int fd) : fd_(fd) {}
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
-  ~Descriptor() {
-    if (fd_ > STDIN_FILENO) ::close(fd_);
-  }
-  int get() const { return fd_; }
-  /// 0, or the errno of a close that failed: some file systems report a full disk only now.
-  int close() {
-    const int result = ::close(fd_);
-    fd_ = -1;
-    return result == 0 ? 0 : errno;
-  }
-
-private:
-  int fd_;
-};
-
-/// 0 or an errno.
-int write_all(int fd, std::string_view content) {
-  while (!content.empty()) {
-    const ssize_t done = ::write(fd, content.data(), content.size());
-    if (done < 0 && errno == EINTR) continue;
-    if (done < 0) return errno;
-    content.remove_prefix(static_cast<std::size_t>(done));
-  }
-  return 0;
-}
+using detail::Descriptor;
+using detail::fail;
+using detail::reason;
+using detail::write_all;
 
 void write_directly(const std::string& path, std::string_view content) {
   Descriptor file(::open(path.c_str(), O_WRONLY | O_CLOEXEC));
