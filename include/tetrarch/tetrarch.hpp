@@ -34,6 +34,7 @@
 #include "tetrarch/canonical/hull.hpp"
 #include "tetrarch/canonical/isometries.hpp"
 #include "tetrarch/catalogue/manifold.hpp"
+#include "tetrarch/catalogue/prove.hpp"
 #include "tetrarch/catalogue/validate.hpp"
 #include "tetrarch/checker/check.hpp"
 #include "tetrarch/core/boundary.hpp"

@@ -15,6 +15,9 @@ namespace {
 
 constexpr std::string_view stage = "gluings";
 
+/// Units are cut finer than the pieces of a search.
+constexpr int more_letters = 2;
+
 void require_sensible(const GluingOptions& options) {
   if (options.tetrahedra < 1 || options.tetrahedra > max_gluing_tetrahedra)
     throw PreconditionError("gluings of " + std::to_string(options.tetrahedra) +
@@ -24,10 +27,9 @@ void require_sensible(const GluingOptions& options) {
 }
 
 /// The search cut into pieces that do not depend on the number of threads.
-struct Plan {
-  Plan(const GluingOptions& options, const Progress& progress)
-      : rules(options), length(options.tetrahedra),
-        beginnings(GluingSearch(rules, progress).beginnings(length)) {}
+struct SearchPlan {
+  SearchPlan(const GluingOptions& options, int letters, const Progress& progress)
+      : rules(options), length(letters), beginnings(GluingSearch(rules, progress).beginnings(length)) {}
 
   GluingRules rules;
   int length; ///< n letters: thousands of pieces of five tetrahedra, and none has more than a small part of
@@ -39,7 +41,7 @@ struct Plan {
 template <class Item, class Make, class Deliver>
 void run(const GluingOptions& options, const Make& make, const Deliver& deliver, const Progress& progress) {
   require_sensible(options);
-  const Plan plan(options, progress);
+  const SearchPlan plan(options, options.tetrahedra, progress);
   const auto report = [&](double part) { progress.step(stage, part); };
   if (options.threads > 1) {
     const auto worker = [&] {
@@ -99,6 +101,13 @@ void enumerate_gluings(const GluingOptions& options, const std::function<void(co
       [&](Triangulation&& tri) { visit(tri); }, progress);
 }
 
+void enumerate_signatures(const GluingOptions& options, const std::function<void(const std::string&)>& visit,
+                          const Progress& progress) {
+  run<std::string>(
+      options, [](const PartialGluing& gluing) { return SignatureWriter().write(gluing); },
+      [&](std::string&& text) { visit(text); }, progress);
+}
+
 std::vector<std::string> gluing_signatures(const GluingOptions& options, const Progress& progress) {
   std::vector<std::string> signatures;
   run<std::string>(
@@ -114,6 +123,31 @@ std::int64_t count_gluings(const GluingOptions& options, const Progress& progres
   run<Nothing>(
       options, [](const PartialGluing&) { return Nothing(); }, [&](Nothing&&) { ++count; }, progress);
   return count;
+}
+
+struct GluingUnits::Plan : SearchPlan {
+  using SearchPlan::SearchPlan;
+};
+
+GluingUnits::GluingUnits(const GluingOptions& options, const Progress& progress) {
+  require_sensible(options);
+  plan_ = std::make_unique<Plan>(options, std::min(options.tetrahedra + more_letters, 2 * options.tetrahedra),
+                                 progress);
+}
+GluingUnits::GluingUnits(GluingUnits&&) noexcept = default;
+GluingUnits::~GluingUnits() = default;
+
+int GluingUnits::size() const {
+  return static_cast<int>(plan_->beginnings.size());
+}
+
+std::vector<std::string> GluingUnits::signatures(int k, const Progress& progress) const {
+  std::vector<std::string> found;
+  GluingSearch(plan_->rules, progress)
+      .complete(plan_->beginnings[static_cast<std::size_t>(k)], plan_->length,
+                [&](const PartialGluing& gluing) { found.push_back(SignatureWriter().write(gluing)); });
+  std::sort(found.begin(), found.end());
+  return found;
 }
 
 } // namespace tetrarch::enumeration
