@@ -15,9 +15,6 @@ namespace {
 
 constexpr std::string_view stage = "gluings";
 
-/// Units are cut finer than the pieces of a search.
-constexpr int more_letters = 2;
-
 void require_sensible(const GluingOptions& options) {
   if (options.tetrahedra < 1 || options.tetrahedra > max_gluing_tetrahedra)
     throw PreconditionError("gluings of " + std::to_string(options.tetrahedra) +
@@ -26,14 +23,21 @@ void require_sensible(const GluingOptions& options) {
   if (options.threads < 1) throw PreconditionError("gluings: at least one thread is needed");
 }
 
+/// By how many letters the search is cut into pieces: of up to six tetrahedra no piece has more than some
+/// thousand gluings, and beyond there are not too many pieces.
+int letters_of_pieces(int tetrahedra) {
+  constexpr int most = 8;
+  return std::min(std::max(tetrahedra, std::min(tetrahedra + 2, most)), 2 * tetrahedra);
+}
+
 /// The search cut into pieces that do not depend on the number of threads.
 struct SearchPlan {
-  SearchPlan(const GluingOptions& options, int letters, const Progress& progress)
-      : rules(options), length(letters), beginnings(GluingSearch(rules, progress).beginnings(length)) {}
+  SearchPlan(const GluingOptions& options, const Progress& progress)
+      : rules(options), length(letters_of_pieces(options.tetrahedra)),
+        beginnings(GluingSearch(rules, progress).beginnings(length)) {}
 
   GluingRules rules;
-  int length; ///< n letters: thousands of pieces of five tetrahedra, and none has more than a small part of
-              ///< all
+  int length;
   std::vector<GluingSearch::Text> beginnings;
 };
 
@@ -41,7 +45,7 @@ struct SearchPlan {
 template <class Item, class Make, class Deliver>
 void run(const GluingOptions& options, const Make& make, const Deliver& deliver, const Progress& progress) {
   require_sensible(options);
-  const SearchPlan plan(options, options.tetrahedra, progress);
+  const SearchPlan plan(options, progress);
   const auto report = [&](double part) { progress.step(stage, part); };
   if (options.threads > 1) {
     const auto worker = [&] {
@@ -131,8 +135,7 @@ struct GluingUnits::Plan : SearchPlan {
 
 GluingUnits::GluingUnits(const GluingOptions& options, const Progress& progress) {
   require_sensible(options);
-  plan_ = std::make_unique<Plan>(options, std::min(options.tetrahedra + more_letters, 2 * options.tetrahedra),
-                                 progress);
+  plan_ = std::make_unique<Plan>(options, progress);
 }
 GluingUnits::GluingUnits(GluingUnits&&) noexcept = default;
 GluingUnits::~GluingUnits() = default;
