@@ -134,7 +134,7 @@ JobOutcome run_job(const Job& job, const Values* values, const std::string& spea
   };
   const ProgressBar bar(!common.quiet);
   bool printed = false;
-  const double most_memory = common.memory.value_or(usual_memory());
+  const double most_memory = common.memory ? *common.memory : usual_memory();
   try {
     restore_reserves(); // an earlier job may have used them
     bound_memory(most_memory);

@@ -49,7 +49,52 @@ class Cusp:
             "torus" if self.is_torus else "Klein bottle", self.vertex, self.shape.real, self.shape.imag)
 
 
-class Structure:
+class _Told:
+    """What the library found, with all that the command of the same name tells: its fields are attributes. True on "yes"."""
+
+    _found: Any
+
+    def __init__(self, found: Any) -> None:
+        self._found = found
+        self._fields: Optional[Record] = None
+
+    @property
+    def verdict(self) -> str:
+        """"yes", "no" (proved) or "undecided" (none was found).
+
+        >>> import tetrarch as tt
+        >>> tt.Manifold("m004").structure().verdict, tt.Manifold("m004").canonical_cells().verdict
+        ('yes', 'yes')
+        """
+        verdict: str = self._found.verdict
+        return verdict
+
+    def as_dict(self) -> Dict[str, Any]:
+        """All fields of the command's `--json`.
+
+        >>> import tetrarch as tt
+        >>> tt.Manifold("m004").structure().as_dict()["outcome"]
+        'geometric'
+        >>> tt.Manifold("fmp2_8").canonical_cells().as_dict()["outcome"]
+        'canonical'
+        """
+        return self._record().as_dict()
+
+    def _record(self) -> Record:
+        if self._fields is None:
+            self._fields = Record(self._found.tree())
+        return self._fields
+
+    def __getattr__(self, name: str) -> Any:
+        if name.startswith("_"):
+            raise AttributeError(name)
+        return getattr(self._record(), name)
+
+    def __bool__(self) -> bool:
+        return self.verdict == "yes"
+
+
+class Structure(_Told):
     """A hyperbolic structure, or why none was found; true if there is one.
 
     The fields of `tetrarch hyperbolize --json` are attributes, too: `outcome`, `reason`, `residual`, `volume_error`, ...
@@ -62,19 +107,7 @@ class Structure:
     ((2, 6), (1,))
     """
 
-    def __init__(self, solved: _tetrarch.Solved) -> None:
-        self._solved = solved
-        self._fields: Optional[Record] = None
-
-    @property
-    def verdict(self) -> str:
-        """"yes", "no" (proved: a vertex link forbids it) or "undecided" (none was found).
-
-        >>> import tetrarch as tt
-        >>> tt.Manifold("m004").structure().verdict
-        'yes'
-        """
-        return self._solved.verdict
+    _found: _tetrarch.Solved
 
     @property
     def volume(self) -> Optional[float]:
@@ -84,7 +117,7 @@ class Structure:
         >>> round(tt.Manifold("m004").structure().volume, 9)
         2.029883213
         """
-        return self._solved.volume
+        return self._found.volume
 
     @property
     def dihedral_angles(self) -> "npt.NDArray[np.float64]":
@@ -94,7 +127,7 @@ class Structure:
         >>> tt.Manifold("cPcbbbihq").structure().dihedral_angles.flags.writeable
         False
         """
-        return self._solved.dihedral_angles
+        return self._found.dihedral_angles
 
     @property
     def edge_lengths(self) -> "npt.NDArray[np.float64]":
@@ -104,7 +137,7 @@ class Structure:
         >>> round(float(tt.Manifold("cPcbbbihq").structure().edge_lengths[0]), 6)
         0.596134
         """
-        return self._solved.edge_lengths
+        return self._found.edge_lengths
 
     @property
     def cusps(self) -> List[Cusp]:
@@ -114,7 +147,7 @@ class Structure:
         >>> len(tt.Manifold("m129").structure().cusps)
         2
         """
-        return [Cusp(*cusp) for cusp in self._solved.cusps]
+        return [Cusp(*cusp) for cusp in self._found.cusps]
 
     @property
     def triangulation(self) -> Triangulation:
@@ -124,29 +157,7 @@ class Structure:
         >>> tt.Manifold("m004").structure().triangulation.num_tetrahedra()
         2
         """
-        return Triangulation._of(self._solved.document())
-
-    def as_dict(self) -> Dict[str, Any]:
-        """All fields of `tetrarch hyperbolize --json`.
-
-        >>> import tetrarch as tt
-        >>> tt.Manifold("m004").structure().as_dict()["outcome"]
-        'geometric'
-        """
-        return self._record().as_dict()
-
-    def _record(self) -> Record:
-        if self._fields is None:
-            self._fields = Record(self._solved.tree())
-        return self._fields
-
-    def __getattr__(self, name: str) -> Any:
-        if name.startswith("_"):
-            raise AttributeError(name)
-        return getattr(self._record(), name)
-
-    def __bool__(self) -> bool:
-        return self.verdict == "yes"
+        return Triangulation._of(self._found.document())
 
     def __repr__(self) -> str:
         volume = self.volume
@@ -263,7 +274,7 @@ class SymmetryGroup:
         return "SymmetryGroup(order %d)" % self.order()
 
 
-class Cells:
+class Cells(_Told):
     """The canonical cells, or why there are none; true if there are. The fields of `tetrarch canonize --json` are attributes.
 
     >>> import tetrarch as tt
@@ -272,19 +283,7 @@ class Cells:
     (['tetrahedron', 'tetrahedron'], 8, 2)
     """
 
-    def __init__(self, canonized: _tetrarch.Canonized) -> None:
-        self._canonized = canonized
-        self._fields: Optional[Record] = None
-
-    @property
-    def verdict(self) -> str:
-        """"yes", "no" or "undecided".
-
-        >>> import tetrarch as tt
-        >>> tt.Manifold("m004").canonical_cells().verdict
-        'yes'
-        """
-        return self._canonized.verdict
+    _found: _tetrarch.Canonized
 
     @property
     def triangulation(self) -> Triangulation:
@@ -294,29 +293,7 @@ class Cells:
         >>> tt.Manifold("fmp2_8").canonical_cells().triangulation
         Triangulation('cPcbbbihq')
         """
-        return Triangulation._of(self._canonized.triangulation())
-
-    def as_dict(self) -> Dict[str, Any]:
-        """All fields of `tetrarch canonize --json`.
-
-        >>> import tetrarch as tt
-        >>> tt.Manifold("fmp2_8").canonical_cells().as_dict()["outcome"]
-        'canonical'
-        """
-        return self._record().as_dict()
-
-    def _record(self) -> Record:
-        if self._fields is None:
-            self._fields = Record(self._canonized.tree())
-        return self._fields
-
-    def __getattr__(self, name: str) -> Any:
-        if name.startswith("_"):
-            raise AttributeError(name)
-        return getattr(self._record(), name)
-
-    def __bool__(self) -> bool:
-        return self.verdict == "yes"
+        return Triangulation._of(self._found.triangulation())
 
     def __repr__(self) -> str:
         return "Cells(%s)" % (", ".join(self.cells) if self else self.reason)
@@ -572,7 +549,7 @@ class Manifold(Gluings):
         >>> tt.Manifold("m004").symmetry_group()
         SymmetryGroup(order 8)
         """
-        cells = self._found_cells()._canonized
+        cells = self._found_cells()._found
         return SymmetryGroup([Isometry(*images) for images in cells.isometries_to(cells)], cells.orientation())
 
     @overload
@@ -603,8 +580,8 @@ class Manifold(Gluings):
             return found.get("isometric")  # type: ignore[no-any-return]
         if found.verdict != "yes":
             return None if found.verdict == "undecided" else []
-        there = _as_manifold(other)._found_cells()._canonized
-        return [Isometry(*images) for images in self._found_cells()._canonized.isometries_to(there)]
+        there = _as_manifold(other)._found_cells()._found
+        return [Isometry(*images) for images in self._found_cells()._found.isometries_to(there)]
 
     def why_isometric_to(self, other: Any, attempts: int = _ATTEMPTS, seed: int = 1, progress: Progress = None) -> Result:
         """The same with its reason: `isometric`, `reason`, `proof`, `isometry` as `tetrarch isometric` has them.
@@ -630,7 +607,7 @@ class Manifold(Gluings):
         """
         structure = self._found()
         with reporting(progress) as report:
-            return FundamentalDomain(structure._solved.domain(report), structure.triangulation)
+            return FundamentalDomain(structure._found.domain(report), structure.triangulation)
 
     def holonomy(self, progress: Progress = None) -> Holonomy:
         """The representation of the fundamental group that the structure gives.
