@@ -6,12 +6,14 @@
 /// that includes only what it uses costs less.
 
 #include "tetrarch/algebra/abelian_group.hpp"
+#include "tetrarch/algebra/covers.hpp"
 #include "tetrarch/algebra/group.hpp"
 #include "tetrarch/algebra/group_text.hpp"
 #include "tetrarch/algebra/homology.hpp"
 #include "tetrarch/algebra/integer_matrix.hpp"
 #include "tetrarch/algebra/smith.hpp"
 #include "tetrarch/algebra/torsion.hpp"
+#include "tetrarch/algebra/whitehead.hpp"
 #include "tetrarch/bundle/assignment.hpp"
 #include "tetrarch/bundle/circle_bundle.hpp"
 #include "tetrarch/bundle/cut.hpp"
@@ -178,6 +180,7 @@
 #include "tetrarch/product/smooth.hpp"
 #include "tetrarch/product/solid.hpp"
 #include "tetrarch/product/untangle.hpp"
+#include "tetrarch/reasons/reason.hpp"
 #include "tetrarch/scene/drawing.hpp"
 #include "tetrarch/scene/files.hpp"
 #include "tetrarch/scene/page.hpp"
