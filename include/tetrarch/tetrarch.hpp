@@ -39,6 +39,7 @@
 #include "tetrarch/catalogue/cusped.hpp"
 #include "tetrarch/catalogue/graphs.hpp"
 #include "tetrarch/catalogue/manifold.hpp"
+#include "tetrarch/catalogue/prove.hpp"
 #include "tetrarch/catalogue/validate.hpp"
 #include "tetrarch/checker/check.hpp"
 #include "tetrarch/core/boundary.hpp"

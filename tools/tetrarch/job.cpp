@@ -136,6 +136,7 @@ JobOutcome run_job(const Job& job, const Values* values, const std::string& spea
                       nullptr};
   };
   const ProgressBar bar(!common.quiet);
+  bool printed = false;
   const double most_memory = common.memory ? *common.memory : usual_memory();
   try {
     restore_reserves(); // an earlier job may have used them
@@ -144,6 +145,12 @@ JobOutcome run_job(const Job& job, const Values* values, const std::string& spea
     static_cast<Common&>(context) = common;
     context.progress = Progress(bar.report(), token_of_next_job());
     context.values = values;
+    if (!common.json && share == nullptr)
+      context.print = [&](const std::string& text) {
+        bar.clear();
+        say(printable(text, Lines::many));
+        printed = true;
+      };
     if (share != nullptr) context.reads->passed_over.add(share->passed_over);
     Result result = job.run(context);
     bar.clear();
@@ -153,7 +160,9 @@ JobOutcome run_job(const Job& job, const Values* values, const std::string& spea
     return {result.status, std::move(result.value)};
   } catch (const Stopped&) {
     bar.clear();
-    return take_leave() ? failed("interrupted; nothing was written", Status::interrupted)
+    return take_leave() ? failed(printed ? "interrupted; what was printed is not all"
+                                         : "interrupted; nothing was written",
+                                 Status::interrupted)
                         : JobOutcome{Status::interrupted, nullptr};
   } catch (const InputError& e) {
     bar.clear();
