@@ -3,8 +3,8 @@
 
 #include "tetrarch/algebra/covers.hpp"
 #include "tetrarch/algebra/homology.hpp"
-#include "tetrarch/canonical/certify.hpp"
 #include "tetrarch/canonical/isometries.hpp"
+#include "tetrarch/catalogue/prove.hpp"
 #include "tetrarch/core/boundary.hpp"
 #include "tetrarch/core/error.hpp"
 #include "tetrarch/core/signature.hpp"
@@ -51,28 +51,6 @@ hyperbolic::Search search_for(const Triangulation& tri, const CanonicalOptions& 
   return find_structure(tri, search, progress);
 }
 
-/// Tries to prove the cells: first with few bits, then with more where a tilt is in doubt.
-void prove(Canonical& c, const Progress& progress) {
-  const Skeleton skeleton(c.triangulation);
-  const auto structure = hyperbolic::hyperbolize(c.triangulation, skeleton, {}, progress);
-  if (structure.outcome != Outcome::geometric) {
-    c.proof.why_not = "the structure was not found again";
-    return;
-  }
-  for (const int bits : {53, 212}) {
-    const auto certified = verified::certify(c.triangulation, skeleton, structure, {bits, bits}, progress);
-    c.proof = {};
-    c.proof.why_not = "the structure is not certified: " + certified.why_not;
-    if (!certified.proof) continue;
-    const numeric::WorkingPrecision precision(bits);
-    const auto merged = [&](const Table<EdgeId, int>& block, double reach) {
-      return verified::solve_merged(skeleton, block, structure.lengths, reach, progress);
-    };
-    c.proof = canonical::certify_cells(c.triangulation, skeleton, certified.proof->lengths, c.flat, merged);
-    if (c.proof.certified) return;
-  }
-}
-
 Cells cells_in(const hyperbolic::Search& found, const CanonicalOptions& how, const Progress& progress) {
   const auto& structure = found.structure;
   Cells solved;
@@ -90,7 +68,7 @@ Cells cells_in(const hyperbolic::Search& found, const CanonicalOptions& how, con
     solved.why_not = "a face stays concave and no move mends it, after " +
                      std::to_string(solved.canonical->restarts) + " changes of the triangulation";
   else
-    prove(*solved.canonical, progress);
+    catalogue::prove_cells(*solved.canonical, progress);
   return solved;
 }
 
@@ -398,6 +376,10 @@ Isometry isometry(const Compared& x, const Compared& y, const CanonicalOptions& 
   else if (compared > 1)
     found.answer.reason += "; homology of covers to " + std::to_string(compared) + " sheets agrees";
   return found;
+}
+
+std::optional<IsometryAnswer> differ_without_structure(const Triangulation& x, const Triangulation& y) {
+  return differ(x, boundary_of(x), y, boundary_of(y));
 }
 
 std::string text_of(const Isometry& found) {

@@ -77,6 +77,10 @@ struct Isometry {
 Isometry isometry(const Compared& x, const Compared& y, const CanonicalOptions& options = {},
                   const Progress& progress = {});
 
+/// A proved no of the boundaries or of first homology; nothing where these agree.
+std::optional<canonical::IsometryAnswer> differ_without_structure(const Triangulation& x,
+                                                                  const Triangulation& y);
+
 /// Some lines for people.
 std::string text_of(const Isometry& found);
 
