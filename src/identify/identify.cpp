@@ -3,6 +3,7 @@
 
 #include "famous.hpp"
 #include "tetrarch/canonical/canonize.hpp"
+#include "tetrarch/catalogue/cusped.hpp"
 #include "tetrarch/catalogue/graphs.hpp"
 #include "tetrarch/core/boundary.hpp"
 #include "tetrarch/core/signature.hpp"
@@ -34,6 +35,8 @@ std::optional<Known> known_manifold(const std::string& isometry_signature,
     std::string name = m->name.empty() ? m->signature : m->name;
     return Known{std::move(name), std::move(m)};
   }
+  if (const auto cusped = catalogue::find_cusped_by_isometry_signature(isometry_signature))
+    return Known{std::string(cusped->name), {}};
   for (const catalogue::Manifold& m : own_table)
     if (m.canonical_signature == isometry_signature) return Known{m.name.empty() ? m.signature : m.name, m};
   return std::nullopt;
@@ -126,7 +129,7 @@ private:
     if (!known) {
       say("isometry signature " + isometry_signature + " is in no table: volume " +
           volume_text(*out_.volume) + ", tables hold manifolds with geodesic boundary of up to " +
-          tetrahedra(largest_table()) + " and " + std::to_string(detail::famous.size()) + " cusped ones");
+          tetrahedra(largest_table()) + " and " + grouped(catalogue::cusped_count()) + " cusped ones");
     } else {
       out_.by = By::isometry_signature;
       out_.name = std::move(known->name);
