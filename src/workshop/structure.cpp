@@ -6,6 +6,7 @@
 #include "tetrarch/core/signature.hpp"
 #include "tetrarch/format/document.hpp"
 #include "tetrarch/verified/certificate.hpp"
+#include "tetrarch/workshop/reason.hpp"
 #include "tetrarch/workshop/text.hpp"
 
 #include <array>
@@ -30,14 +31,16 @@ bool has_bad_vertex(const Structure& s) {
 std::string outcome_word(const Structure& s) {
   const Outcome outcome = s.search.structure.outcome;
   if (outcome == Outcome::geometric) return "geometric";
-  if (outcome == Outcome::projective_plane || has_bad_vertex(s)) return "not hyperbolic";
+  if (outcome == Outcome::projective_plane || has_bad_vertex(s) || s.why) return "not hyperbolic";
   return is_turned_over(s) ? "turned over" : "not found";
 }
 
 std::string reason_word(const Structure& s) {
+  if (s.why) return reasons::to_string(s.why->kind);
   return s.orbifold ? to_string(s.orbifold->structure.outcome) : to_string(s.search.structure.outcome);
 }
 std::string reason(const Structure& s) {
+  if (s.why) return s.why->text;
   return s.orbifold ? describe(s.orbifold->structure, s.skeleton)
                     : hyperbolic::describe(s.search.structure, s.skeleton);
 }
@@ -62,6 +65,9 @@ Table<VertexId, hyperbolic::VertexType> types_of(const Structure& s) {
   return s.orbifold ? s.orbifold->structure.types : hyperbolic::vertex_types(s.skeleton);
 }
 
+bool has_reason(const Structure& s) {
+  return s.why.has_value();
+}
 bool is_not_geometric(const Structure& s) {
   return !is_geometric(s);
 }
@@ -123,11 +129,17 @@ std::string filling(int spheres) {
 
 Rows no_structure(const Structure& s) {
   const auto& found = s.search.structure;
-  return {{"outcome", outcome_word(s)},
-          {"reason", reason(s)},
-          {"tried", tried(s)},
-          {"residual", scientific(found.residual, 1)},
-          {"iterations", std::to_string(found.iterations)}};
+  Rows rows{{"outcome", outcome_word(s)}};
+  if (s.why) {
+    const Rows proof = rows_of(*s.why);
+    rows.insert(rows.end(), proof.begin(), proof.end());
+    return rows;
+  }
+  rows.insert(rows.end(), {{"reason", reason(s)},
+                           {"tried", tried(s)},
+                           {"residual", scientific(found.residual, 1)},
+                           {"iterations", std::to_string(found.iterations)}});
+  return rows;
 }
 
 /// ", order 3"; nothing of an unmarked edge.
@@ -219,7 +231,14 @@ Verdict Structure::verdict() const {
   const Outcome outcome = search.structure.outcome;
   if (has_bad_vertex(*this)) return Verdict::proved_no;
   if (outcome == Outcome::geometric) return is_not_certified(*this) ? Verdict::undecided : Verdict::yes;
-  return outcome == Outcome::projective_plane ? Verdict::proved_no : Verdict::undecided;
+  return outcome == Outcome::projective_plane || why ? Verdict::proved_no : Verdict::undecided;
+}
+
+std::optional<reasons::Reason> proved_no(const Triangulation& tri, std::uint64_t seed,
+                                         const Progress& progress) {
+  reasons::ReasonOptions how;
+  how.seed = seed;
+  return reasons::why_not_hyperbolic(tri, how, progress);
 }
 
 namespace {
@@ -267,6 +286,8 @@ Structure structure(const Triangulation& tri, const StructureOptions& options, c
   Structure found = found_any_way(tri, options, progress);
   const bool certifies = options.certify || options.digits > 0;
   if (!is_geometric(found)) {
+    if (!options.as_given && options.marks.empty() && !is_turned_over(found))
+      found.why = proved_no(found.search.triangulation, options.seed, progress);
     if (certifies) found.certified = verified::Certification{std::nullopt, "no structure was found"};
     return found;
   }
@@ -345,6 +366,9 @@ const FieldList<Structure>& fields_of<Structure>() {
       {{"explanation", "", "the same with its place"},
        [](S s) -> Tree { return reason(s); },
        is_not_geometric},
+      {{"why", "", "the proof that the manifold is not hyperbolic: kind, text, theorem, and what shows it"},
+       [](S s) -> Tree { return tree_of(*s.why); },
+       has_reason},
       {{"tried", "", "how structures were sought"}, [](S s) -> Tree { return tried(s); }, is_not_geometric},
       {{"solved_by", "", "newton or homotopy: how marked edges or a closed manifold were solved"},
        [](S s) -> Tree { return to_string(s.orbifold->structure.method); },

@@ -80,7 +80,8 @@ format::Soup read_soup(const std::string& argument, const Context& context) {
   if (auto soup = passing_soup(argument, context)) return *std::move(soup);
   if (const ValuePointer value = value_named(argument, context)) {
     if (const auto* mesh = std::get_if<format::MeshDocument>(value.get())) return mesh->soup;
-    throw InputError(argument + " is a " + kind_of(*value) + " (expected a mesh: it has no coordinates)");
+    throw InputError(argument + " is a " + kind_of(*value) + " (expected a mesh: it has no coordinates)",
+                     Cause::kind);
   }
   format::Soup soup = workshop::open_mesh(argument, opened_with({}));
   context.reads->passed_over.add(soup.passed_over);

@@ -10,6 +10,7 @@
 #include "tetrarch/hyperbolic/cusp.hpp"
 #include "tetrarch/hyperbolic/orbifold_search.hpp"
 #include "tetrarch/hyperbolic/search.hpp"
+#include "tetrarch/reasons/reason.hpp"
 #include "tetrarch/verified/structure.hpp"
 #include "tetrarch/workshop/fields.hpp"
 #include "tetrarch/workshop/verdict.hpp"
@@ -45,6 +46,8 @@ struct Structure {
   int digits = 0;                                   ///< of the volume that were asked for
   /// With marked edges, or of a closed manifold: what `search` is filled from.
   std::optional<hyperbolic::OrbifoldSearch> orbifold = {};
+  /// Why there is none, where that was found: the manifold is proved not to be hyperbolic.
+  std::optional<reasons::Reason> why{};
 
   /// Yes, of one that was to be certified, only if it was. Undecided where tetrahedra are turned over.
   Verdict verdict() const;
@@ -55,6 +58,11 @@ struct Structure {
 /// closed manifold is sought by the homotopy of orbifold.hpp up to 150 tetrahedra.
 Structure structure(const Triangulation& tri, const StructureOptions& options = {},
                     const Progress& progress = {});
+
+/// Why the manifold of a triangulation on which no structure was found is not hyperbolic; nothing if no
+/// reason was found.
+std::optional<reasons::Reason> proved_no(const Triangulation& tri, std::uint64_t seed,
+                                         const Progress& progress = {});
 
 /// What is printed of it: the outcome; the volume, edges, cusps and angles, or the reason.
 Rows rows_of(const Structure& found);
