@@ -20,7 +20,7 @@ inline std::string reason(int error) {
 }
 
 [[noreturn]] inline void fail(const std::string& path, const std::string& what) {
-  throw InputError(Place{source_name(path), 0}, what);
+  throw InputError(Place{source_name(path), 0}, what, Cause::file);
 }
 
 /// An open file that closes itself; standard input stays open.

@@ -2,6 +2,7 @@
 #include "tetrarch/hex/deviation.hpp"
 
 #include "tetrarch/hex/layers.hpp"
+#include "tetrarch/numeric/nearest_triangle.hpp"
 
 #include <algorithm>
 #include <array>

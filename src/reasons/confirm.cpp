@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "quotients.hpp"
+#include "surface_reason.hpp"
 #include "tetrarch/core/error.hpp"
 #include "tetrarch/core/signature.hpp"
 #include "tetrarch/core/skeleton.hpp"
@@ -143,10 +144,27 @@ std::string wrong_with_group(const Reason& reason) {
   return pattern ? "the finite group does not show what it should" : "the relators do not have that pattern";
 }
 
+/// The surface is cut along again, with generous budgets.
+std::string wrong_with_surface(const Reason& reason) {
+  const SurfaceEvidence& seen = *reason.surface;
+  const Triangulation tri = from_signature(seen.triangulation);
+  const Skeleton skeleton(tri);
+  if (!skeleton.is_orientable() || skeleton.has_boundary_faces() || !skeleton.is_connected())
+    return "the triangulation is not one of an orientable manifold with ideal vertices";
+  if (!is_normal_surface(tri, seen.coordinates)) return "the coordinates are no normal surface";
+  const auto again = reason_of_surface(tri, seen.coordinates, {}, {});
+  if (!again) return "the surface proves nothing";
+  if (again->kind != reason.kind || again->surface->euler != seen.euler ||
+      again->surface->orientable != seen.orientable || again->surface->separating != seen.separating)
+    return "the surface is another one";
+  return {};
+}
+
 } // namespace
 
 std::string what_is_wrong(const Reason& reason) {
   if (reason.group) return wrong_with_group(reason);
+  if (reason.surface) return wrong_with_surface(reason);
   return {};
 }
 

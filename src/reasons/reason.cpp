@@ -2,6 +2,7 @@
 #include "tetrarch/reasons/reason.hpp"
 
 #include "group_reason.hpp"
+#include "surface_reason.hpp"
 #include "tetrarch/core/boundary.hpp"
 #include "tetrarch/core/check.hpp"
 #include "tetrarch/core/error.hpp"
@@ -44,14 +45,18 @@ Kinds boundary_kinds(const Triangulation& tri, const Skeleton& skeleton) {
   return kinds;
 }
 
-std::optional<Reason> by_group(const Triangulation& tri, const ReasonOptions& options,
+/// Of the triangulation as its signature labels it: whoever checks the reason reads it from there.
+std::optional<Reason> by_group(const Triangulation& given, const ReasonOptions& options,
                                const Progress& progress) {
+  if (!options.groups) return std::nullopt;
+  const std::string text = signature(given);
+  const Triangulation tri = from_signature(text);
   const Skeleton skeleton(tri);
   const algebra::Presentation group =
       algebra::simplified(algebra::dual_presentation(tri, skeleton).presentation, {}, progress);
   const Setting setting{skeleton.is_orientable(), boundary_kinds(tri, skeleton).cusps};
   auto reason = reason_of_group(group, setting, options, progress);
-  if (reason) reason->group->triangulation = signature(tri);
+  if (reason) reason->group->triangulation = text;
   return reason;
 }
 
@@ -67,6 +72,8 @@ Reason of_projective_plane() {
 std::optional<Reason> search(const Triangulation& tri, const ReasonOptions& options,
                              const Progress& progress) {
   if (auto reason = by_group(tri, options, progress)) return reason;
+  if (Skeleton(tri).is_orientable())
+    if (auto reason = reason_of_surfaces(tri, options, progress)) return reason;
   // Other triangulations present the same group otherwise.
   constexpr int moves_each = 20;
   SplitMix64 random(options.seed);

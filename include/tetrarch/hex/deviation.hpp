@@ -7,11 +7,15 @@
 ///      /       .  <-->    these distances is the Hausdorff distance, if the points are dense. One way alone
 ///     '---------'         misses what one of the two does not have at all.
 
-#include "tetrarch/hex/nearest.hpp"
 #include "tetrarch/product/hex_mesh.hpp"
 #include "tetrarch/product/solid.hpp"
 
+#include <array>
+#include <vector>
+
 namespace tetrarch::hex {
+
+using product::Point;
 
 struct Deviation {
   double from_hexahedra = 0; ///< the greatest distance of a point of theirs from the solid's surface

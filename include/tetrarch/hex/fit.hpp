@@ -27,6 +27,10 @@ struct FitOptions {
   bool ends_there = true; ///< points go to their homes at last
 };
 
+/// Points so far inside that they stay where the grid has them: more than six hexahedra from the surface. 1
+/// each. O(n).
+std::vector<char> deep_points(const product::HexMesh& mesh, const std::vector<Home>& home);
+
 /// Moves the points; `home` has one for each. O(n log n) a round.
 void fit(SizedHexahedra& hexahedra, const std::vector<Home>& home, const Targets& targets,
          const FitOptions& options = {}, const Progress& progress = {});

@@ -100,10 +100,11 @@ struct Reason {
 
 struct ReasonOptions {
   std::uint64_t seed = 1;
+  bool groups = true;                  ///< read presentations; else look at normal surfaces alone
   int changes = 10;                    ///< further triangulations of the manifold whose groups are read
   int presentations = 60;              ///< of shortest ones that are looked at, for each triangulation
-  int degree = 5;                      ///< greatest degree of the covers that finite quotients come from
-  long long cover_steps = 20'000;      ///< for each presentation
+  int degree = 7;                      ///< greatest degree of the covers that finite quotients come from
+  long long cover_steps = 40'000;      ///< for each presentation
   int most_tetrahedra = 10;            ///< normal surfaces are sought in triangulations up to this size
   long long surface_steps = 3'000'000; ///< pairs of normal surfaces that may be combined
 };
