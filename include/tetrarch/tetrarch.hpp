@@ -6,11 +6,13 @@
 /// that includes only what it uses costs less.
 
 #include "tetrarch/algebra/abelian_group.hpp"
+#include "tetrarch/algebra/cover.hpp"
 #include "tetrarch/algebra/covers.hpp"
 #include "tetrarch/algebra/group.hpp"
 #include "tetrarch/algebra/group_text.hpp"
 #include "tetrarch/algebra/homology.hpp"
 #include "tetrarch/algebra/integer_matrix.hpp"
+#include "tetrarch/algebra/presentation.hpp"
 #include "tetrarch/algebra/smith.hpp"
 #include "tetrarch/algebra/torsion.hpp"
 #include "tetrarch/algebra/whitehead.hpp"
