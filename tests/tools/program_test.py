@@ -4,17 +4,21 @@
 
 Usage: program_test.py PROGRAM SOURCE_DIR
 """
+import contextlib
 import hashlib
 import json
+import lzma
 import math
 import os
 import re
 import signal
+import sqlite3
 import subprocess
 import sys
 import tempfile
 import time
 import unittest
+import unittest.mock
 from fractions import Fraction
 
 from diagrams_test import *  # noqa: F401,F403: knots, links and graphs in space
@@ -22,8 +26,9 @@ from hex_test import *  # noqa: F401,F403: hexahedra of solids
 from hostile_test import *  # noqa: F401,F403: files and surroundings that mean no good
 from inputs_test import *  # noqa: F401,F403: what stands for a triangulation
 from meshes_test import *  # noqa: F401,F403: meshes from elsewhere, and mending them
+from marked_test import *  # noqa: F401,F403: cone angles, parabolic meridians, closed manifolds
 from options_test import *  # noqa: F401,F403: the tests of options that stand nowhere else
-from running import PROGRAM, InFolder, SOURCE, run, run_json, unused_options
+from running import INSTRUMENTED, PROGRAM, InFolder, SOURCE, medit, run, run_json, unused_options
 
 
 class Info(unittest.TestCase):
@@ -116,8 +121,24 @@ class Hyperbolize(unittest.TestCase):
         self.assertEqual((closed["cusps"], closed["into_cusps"]), ([], []))
 
     def test_false_convergence_is_not_found(self):
-        status, found = run_json("hyperbolize", "dLQacccjcog")
+        status, found = run_json("hyperbolize", "dLQacccjcog", "--as-given")
         self.assertEqual((status, found["outcome"]), (4, "not found"))
+
+    def test_what_is_not_hyperbolic_is_told_with_its_proof(self):
+        # One of the three gluings of three tetrahedra without a structure: the group splits (a generator in powers only).
+        status, found = run_json("hyperbolize", "dLQacccjcog")
+        self.assertEqual((status, found["outcome"], found["reason"]), (1, "not hyperbolic", "root"))
+        group = found["why"]["group"]
+        self.assertEqual(group["triangulation"], found["signature"])
+        self.assertGreater(group["exponents"][0], 1)
+        text = run("hyperbolize", "dLQacccjcog").stdout
+        self.assertIn(group["shown"], text)
+        self.assertRegex(text, "(?m)^theorem ")
+        status, cells = run_json("canonize", "dLQacccjcog")
+        self.assertEqual((status, cells["outcome"], cells["why"]["kind"]), (1, "not hyperbolic", "root"))
+        # Two trefoils (Regina: the essential torus swallows one and follows the other).
+        status, found = run_json("hyperbolize", "eLMkbcddddlihu")
+        self.assertEqual((status, found["outcome"]), (1, "not hyperbolic"))
 
     def test_a_metric_file_keeps_its_structure(self):
         with tempfile.TemporaryDirectory() as folder:
@@ -242,9 +263,19 @@ class Canonize(unittest.TestCase):
         status, answer = run_json("isometric", "fmp2_1", "fmp2_2")
         self.assertEqual((status, answer["isometric"]), (1, False))
 
-    def test_nothing_is_claimed_without_a_structure(self):
+    def test_one_without_a_structure_is_another_manifold(self):
         status, answer = run_json("isometric", "fmp2_1", "dLQacccjcog")
-        self.assertEqual((status, answer["isometric"]), (4, None))
+        self.assertEqual(status, 1)
+        self.assertIn(answer["proof"], ("homology", "boundary", "structure"))
+
+    def test_covers_tell_apart_what_has_no_structure(self):
+        # Trefoil and torus knot T(2,5): H1 = Z, one torus. The trefoil's group maps onto S3 and T(2,5)'s does not.
+        status, answer = run_json("isometric", "3_1", "5_1")
+        self.assertEqual((status, answer["isometric"], answer["proof"]), (1, False, "covers"))
+        self.assertIn("covers of", answer["reason"])
+        # Homeomorphic, and said so without a structure.
+        status, answer = run_json("isometric", "cPcbbbadu", "cPcbbbadu")
+        self.assertEqual((status, answer["isometric"], answer["proof"]), (0, True, "isomorphism"))
 
 
 class Census(unittest.TestCase):
@@ -312,12 +343,58 @@ class Identify(unittest.TestCase):
             self.assertEqual(run("census", "list", *options).returncode, 2, options)
         self.assertEqual(run_json("census", "identify", "eLAkbcbdddhjhk")[1]["name"], "fmp4_1")
 
+    def test_tables_in_one_file(self):
+        with tempfile.TemporaryDirectory() as folder:
+            file, lines = os.path.join(folder, "census.sqlite"), os.path.join(folder, "three.jsonl")
+            self.assertEqual(run("census", "enumerate", "--tetrahedra", "3", "--brief", "-o", lines).returncode, 0)
+            packed = os.path.join(folder, "three.jsonl.xz")
+            with open(lines, "rb") as plain, lzma.open(packed, "wb") as xz:
+                xz.write(plain.read())
+            status, made = run_json("census", "table", packed, f"{SOURCE}/census/fmp4.json", "-o", file)
+            self.assertEqual((status, made["manifolds"]), (0, 151 + 5033))
+            # Others read it: Python's own SQLite counts as Frigerio, Martelli and Petronio do.
+            with contextlib.closing(sqlite3.connect(file)) as db:
+                rows = db.execute("select boundary, count(*) from manifold where tetrahedra = 4 and cusps = 0 group by boundary")
+                self.assertEqual(dict(rows), {"[2]": 628, "[3]": 2034, "[4]": 2340})
+                self.assertEqual(db.execute("pragma integrity_check").fetchall(), [("ok",)])
+            for options, count in ((("--tetrahedra", "4", "--boundary", "2", "--cusps", "0"), 628), (("--volume", "10.42.."), 74)):
+                for table in (file, packed, lines):
+                    if table == file or "--tetrahedra" not in options:
+                        self.assertEqual(run_json("census", "list", "--table", table, "--count", *options)[1]["count"], count)
+            brief = run_json("census", "list", "--table", file)[1]["manifolds"]
+            for entry, stored in zip(brief, run_json("census", "list")[1]["manifolds"]):
+                del stored["dihedral_angles"]
+                self.assertEqual(entry, stored)
+            self.assertEqual(run_json("census", "show", "fmp3_17", "--table", file)[1], brief[16])
+            self.assertEqual(run_json("census", "show", "fmp3_17", "--table", packed)[1], brief[16])
+            self.assertEqual(run("census", "show", "fmp2_1", "--table", file).returncode, 2)
+            self.assertEqual(run_json("census", "identify", "fmp3_17", "--table", file)[1]["name"], "fmp3_17")
+            for bad in (("census", "table", lines, lines, "-o", os.path.join(folder, "x")), ("census", "table", file, "-o", file),
+                        ("census", "list", "--table", os.path.join(folder, "none")),
+                        ("census", "table", lines, "-o", os.path.join(folder, "none", "x"))):
+                done = run(*bad)
+                self.assertEqual((done.returncode, done.stderr.count("\n")), (2, 1), bad)
+            self.assertEqual(sorted(os.listdir(folder)), ["census.sqlite", "three.jsonl", "three.jsonl.xz"])
+
+    def test_gluings_come_as_they_are_found(self):
+        job = subprocess.Popen([PROGRAM, "census", "gluings", "--tetrahedra", "7"], stdout=subprocess.PIPE)  # hours
+        self.assertEqual([job.stdout.readline()[:1] for _ in range(100)], [b"h"] * 100)
+        with open(f"/proc/{job.pid}/status", encoding="ascii") as status:
+            peak = next(int(line.split()[1]) for line in status if line.startswith("VmHWM"))
+        job.kill()
+        job.communicate()
+        if not INSTRUMENTED:
+            self.assertLess(peak, 400_000)  # kB
+
     def test_ones_own_table(self):
         with tempfile.TemporaryDirectory() as folder:
             table = os.path.join(folder, "own.json")
             with open(f"{SOURCE}/census/fmp3.json", encoding="utf-8") as file:
                 text = json.load(file)
-            # A manifold of five tetrahedra that no table holds (Frigerio, Martelli, Petronio stop at four).
+            # A manifold of five tetrahedra that no table holds: one's own file is the only one.
+            small = os.path.join(folder, "small.sqlite")
+            self.assertEqual(run("census", "table", f"{SOURCE}/census/fmp3.json", "-o", small).returncode, 0)
+            self.enterContext(unittest.mock.patch.dict(os.environ, TETRARCH_CENSUS=small))
             found = run_json("census", "identify", FIVE)[1]
             self.assertIsNone(found["name"])
             entry = {**text["manifolds"][0], "name": "mine", "signature": found["signature"],
@@ -352,6 +429,7 @@ class Identify(unittest.TestCase):
                     job.wait()
                     killed += 1
             self.assertGreater(killed, 0)
+            self.assertEqual(run(*enumerate_in("a", "--resume")[1:], "-o", table).returncode, 0)  # where all were killed
             with open(table, "rb") as new, open(f"{SOURCE}/census/fmp3.json", "rb") as old:
                 expected = old.read()
                 self.assertEqual(new.read(), expected)
@@ -366,6 +444,12 @@ class Identify(unittest.TestCase):
             with open(table, "rb") as new:
                 self.assertEqual(new.read(), expected)
             self.assertIn("missing from these folders", run("census", "merge", *folders[1:], "--tetrahedra", "3").stderr)
+            # Records without angles are others: they are merged as such alone.
+            self.assertEqual(run(*enumerate_in("brief", "--brief")[1:]).returncode, 0)
+            self.assertEqual(run("census", "merge", os.path.join(folder, "brief"), "--tetrahedra", "3").returncode, 2)
+            merged = run("census", "merge", os.path.join(folder, "brief"), "--tetrahedra", "3", "--brief").stdout
+            self.assertEqual(len(merged.splitlines()), 151)
+            self.assertNotIn("angles", merged)
             brief = run("census", "enumerate", "--tetrahedra", "2", "--brief").stdout
             self.assertNotIn("angles", brief)
             for bad in (("--shard", "0/3", "--work", folder), ("--shard", "4/3", "--work", folder), ("--shard", "1", "--work", folder),
@@ -413,18 +497,10 @@ class Identify(unittest.TestCase):
 KNOTTED_Y = os.path.join(SOURCE, "tests/data/knotted_y_8k.mesh")
 
 
-def medit(points, tetrahedra):
-    """A MEDIT file; tetrahedron k, counted from 0, stands on line 7 + k + the number of points."""
-    lines = ["MeshVersionFormatted 2", "Dimension 3", "Vertices", str(len(points))]
-    lines += ["%g %g %g 0" % p for p in points]
-    lines += ["Tetrahedra", str(len(tetrahedra))] + ["%d %d %d %d 0" % t for t in tetrahedra] + ["End", ""]
-    return "\n".join(lines)
-
-
 def cubes(n):
     """A cube of n^3 cubes, each split along its diagonal into six tetrahedra."""
     def point(x, y, z):
-        return (x * (n + 1) + y) * (n + 1) + z + 1
+        return (x * (n + 1) + y) * (n + 1) + z
     points = [(x, y, z) for x in range(n + 1) for y in range(n + 1) for z in range(n + 1)]
     steps = [((1, 0, 0), (1, 1, 0)), ((1, 0, 0), (1, 0, 1)), ((0, 1, 0), (1, 1, 0)), ((0, 1, 0), (0, 1, 1)),
              ((0, 0, 1), (1, 0, 1)), ((0, 0, 1), (0, 1, 1))]
@@ -472,7 +548,7 @@ class Meshes(unittest.TestCase):
 
     def test_repair(self):
         points = [(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1), (1, 1, 1), (9, 9, 9)]
-        text = medit(points, [(1, 2, 3, 4), (2, 3, 4, 5), (4, 3, 2, 1), (5, 4, 3, 2)])
+        text = medit(points, [(0, 1, 2, 3), (1, 2, 3, 4), (3, 2, 1, 0), (4, 3, 2, 1)])
         refused = run("info", "-", stdin=text)
         self.assertEqual(refused.returncode, 2)
         self.assertIn("standard input:15:", refused.stderr)
@@ -485,13 +561,13 @@ class Meshes(unittest.TestCase):
     def test_bad_meshes(self):
         points = [(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1), (1, 1, 1), (-1, -1, -1), (2, 2, 0), (0, 2, 2)]
         cases = {
-            "index out of range": ([(1, 2, 3, 9)], "15"),
-            "repeated vertex": ([(1, 2, 3, 3)], "15"),
-            "duplicate": ([(1, 2, 3, 4), (2, 1, 3, 4)], "16"),
-            "face shared by three": ([(1, 2, 3, 4), (1, 2, 3, 5), (1, 2, 3, 6)], None),
-            "edge in the middle of nothing": ([(1, 2, 3, 4), (1, 2, 5, 6)], None),
-            "vertex in the middle of nothing": ([(1, 2, 3, 4), (1, 5, 6, 7)], None),
-            "two components": ([(1, 2, 3, 4), (5, 6, 7, 8)], None),
+            "index out of range": ([(0, 1, 2, 8)], "15"),
+            "repeated vertex": ([(0, 1, 2, 2)], "15"),
+            "duplicate": ([(0, 1, 2, 3), (1, 0, 2, 3)], "16"),
+            "face shared by three": ([(0, 1, 2, 3), (0, 1, 2, 4), (0, 1, 2, 5)], None),
+            "edge in the middle of nothing": ([(0, 1, 2, 3), (0, 1, 4, 5)], None),
+            "vertex in the middle of nothing": ([(0, 1, 2, 3), (0, 4, 5, 6)], None),
+            "two components": ([(0, 1, 2, 3), (4, 5, 6, 7)], None),
             "no tetrahedra": ([], None),
         }
         for name, (tetrahedra, line) in cases.items():
@@ -507,7 +583,7 @@ class Meshes(unittest.TestCase):
 
     def test_check_tells_everything_by_element_and_line(self):
         points = [(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1), (1, 1, 1), (9, 9, 9)]
-        text = medit(points, [(1, 2, 3, 4), (2, 3, 4, 4), (4, 3, 2, 1), (2, 4, 3, 5), (1, 2, 3, 7)])
+        text = medit(points, [(0, 1, 2, 3), (1, 2, 3, 3), (3, 2, 1, 0), (1, 3, 2, 4), (0, 1, 2, 6)])
         done = run("check", "-", "--json", stdin=text)
         report = json.loads(done.stdout)
         self.assertEqual(done.returncode, 1)
@@ -808,8 +884,13 @@ class Errors(unittest.TestCase):
         done = run("check", path, "--json")
         self.assertEqual((done.returncode, done.stdout), (2, ""))
         error = json.loads(done.stderr)["error"]
-        self.assertEqual((error["code"], error["file"], error["line"]), ("bad_input", path, 4))
+        self.assertEqual((error["code"], error["file"], error["line"]), ("bad_content", path, 4))
         self.assertIn("'zero'", error["message"])
+        codes = {("info", "nonsense"): "unknown_name", ("info", "--bogus"): "bad_option", ("info", "m004", "--memory", "x"): "bad_option",
+                 ("check", os.path.join(folder.name, "none.off")): "bad_file", ("check", "cPcbbbihq"): "bad_file", ("no_command",): "bad_option",
+                 ("info", "L(6,2)"): "bad_value", ("hyperbolize", "<a | a^2>"): "wrong_kind"}
+        for words, code in codes.items():
+            self.assertEqual(json.loads(run(*words, "--json").stderr)["error"]["code"], code, words)
         for words in (["info", "nonsense"], ["info", "--bogus"], ["no_command"]):
             done = run(*words, "--json")
             self.assertEqual((done.returncode, done.stdout), (2, ""), words)
@@ -1074,13 +1155,7 @@ class Product(InFolder):
         return done.stderr
 
     def write(self, name, points, tetrahedra):
-        with open(self.path(name), "w", encoding="utf-8") as file:
-            file.write("MeshVersionFormatted 2\nDimension 3\nVertices\n%d\n" % len(points))
-            file.writelines("%r %r %r 0\n" % tuple(p) for p in points)
-            file.write("Tetrahedra\n%d\n" % len(tetrahedra))
-            file.writelines("%d %d %d %d 0\n" % tuple(v + 1 for v in t) for t in tetrahedra)
-            file.write("End\n")
-        return self.path(name)
+        return self.path(name, medit(points, tetrahedra))
 
     def read(self, path):
         """Points, tetrahedra and labelled triangles of a MEDIT file."""
