@@ -1656,6 +1656,15 @@ class Slit(InFolder):
         self.assertAlmostEqual(area / self.area(), 1, delta=0.03)
         self.assertIn("--balance", self.refused(self.ring, "--domain", "free", "--balance"))
 
+    def test_needles_at_slit_ends(self):
+        for domain in ("parallel", "concentric"):
+            _, made = run_json("slit", self.ring, "--domain", domain)
+            ends = made["slit_ends"]
+            self.assertGreater(ends["max_quasiconformal_before"], 10)
+            self.assertLess(ends["max_quasiconformal"], 5)
+            self.assertLess(made["max_quasiconformal"], ends["max_quasiconformal_before"])
+            self.assertEqual(made["flipped"], 0)
+
     def test_rectangles(self):
         path = self.path("floor.svg")
         code, made = run_json("slit", self.ring, "--domain", "rectangle", "-o", path)
