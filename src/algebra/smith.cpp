@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "tetrarch/algebra/smith.hpp"
 
+#include "sparse_row.hpp"
 #include "tetrarch/algebra/abelian_group.hpp"
 
 #include <algorithm>
@@ -57,12 +58,9 @@ S nearest_quotient(const S& a, const S& b) {
 }
 
 template <class S>
-struct Entry {
-  int column;
-  S value;
-};
+using Row = SparseRow<S>;
 template <class S>
-using Row = std::vector<Entry<S>>;
+using Entry = typename SparseRow<S>::Entry;
 
 /// Pivots taken and what is left of the matrix. Every step is a unimodular operation, so whenever it is
 /// interrupted the pivots so far and the rows left still have the Smith form sought.
@@ -84,7 +82,7 @@ private:
     int column;
   };
 
-  const S* find(int row, int column) const;
+  const S* find(int row, int column) const { return rows_[row].find(column); }
   void enqueue(int column);
   std::optional<int> shortest_column();
   std::optional<Pivot> unit_of_lone_row();
@@ -100,7 +98,7 @@ private:
   std::optional<Pivot> smaller_in_column(Pivot pivot);
   std::optional<Pivot> smaller_in_row(Pivot pivot);
 
-  std::vector<Row<S>> rows_;                  ///< exact, sorted by column
+  std::vector<Row<S>> rows_;                  ///< exact
   std::vector<std::vector<int>> column_rows_; ///< a superset of each column's rows, repetitions possible
   std::vector<int> column_count_;             ///< exact
   std::vector<int> queued_;                   ///< the count under which a column waits in its bucket, or 0
@@ -108,9 +106,9 @@ private:
   /// relations pairs are joined in rounds then, and not one row grows by every next one, which costs the
   /// square.
   std::vector<std::deque<int>> buckets_;
-  std::size_t lowest_ = 0;     ///< no bucket below it holds anything
-  std::vector<int> lone_rows_; ///< rows that came down to one entry
-  Row<S> scratch_;
+  std::size_t lowest_ = 0;        ///< no bucket below it holds anything
+  std::vector<int> lone_rows_;    ///< rows that came down to one entry
+  std::vector<Entry<S>> changes_; ///< of the row in hand
   int units_ = 0;
   std::vector<S> divisors_;
 };
@@ -122,21 +120,13 @@ Elimination<S>::Elimination(std::vector<Row<S>> rows, int columns) : rows_(std::
   column_count_.assign(width, 0);
   queued_.assign(width, 0);
   for (std::size_t r = 0; r < rows_.size(); ++r) {
-    for (const Entry<S>& e : rows_[r]) {
-      column_rows_[e.column].push_back(static_cast<int>(r));
-      ++column_count_[e.column];
-    }
+    rows_[r].each([&](int column, const S&) {
+      column_rows_[column].push_back(static_cast<int>(r));
+      ++column_count_[column];
+    });
     if (rows_[r].size() == 1) lone_rows_.push_back(static_cast<int>(r));
   }
   for (int c = 0; c < columns; ++c) enqueue(c);
-}
-
-template <class S>
-const S* Elimination<S>::find(int row, int column) const {
-  const Row<S>& entries = rows_[row];
-  const auto at = std::lower_bound(entries.begin(), entries.end(), column,
-                                   [](const Entry<S>& e, int c) { return e.column < c; });
-  return at != entries.end() && at->column == column ? &at->value : nullptr;
 }
 
 template <class S>
@@ -169,8 +159,9 @@ auto Elimination<S>::unit_of_lone_row() -> std::optional<Pivot> {
   while (!lone_rows_.empty()) {
     const int row = lone_rows_.back();
     lone_rows_.pop_back();
-    if (rows_[row].size() == 1 && magnitude(rows_[row][0].value) == 1)
-      return Pivot{row, rows_[row][0].column};
+    if (rows_[row].size() != 1) continue;
+    const Entry<S> only = rows_[row].only();
+    if (magnitude(only.value) == 1) return Pivot{row, only.column};
   }
   return std::nullopt;
 }
@@ -220,47 +211,39 @@ bool Elimination<S>::clear_column(Pivot pivot) {
   return true;
 }
 
-/// row -= q * pivot_row. Merges the two sorted rows in a scratch row first, so that an overflow leaves all as
-/// it was.
+/// row -= q * pivot_row. Finds all changes first, so that an overflow leaves all as it was.
 template <class S>
 bool Elimination<S>::subtract_row(int row, int pivot_row, const S& q) {
-  const Row<S>& from = rows_[pivot_row];
-  Row<S>& into = rows_[row];
-  scratch_.clear();
-  auto old = into.begin();
-  for (const Entry<S>& e : from) {
-    for (; old != into.end() && old->column < e.column; ++old) scratch_.push_back(*old);
-    S value = 0;
-    if (old != into.end() && old->column == e.column) value = (old++)->value;
-    if (!subtract_multiple(value, q, e.value)) return false;
-    scratch_.push_back({e.column, value}); // a zero stays for the count below
-  }
-  scratch_.insert(scratch_.end(), old, into.end());
-
-  for (const Entry<S>& e : from) {
+  changes_.clear();
+  bool fits = true;
+  rows_[pivot_row].each([&](int column, const S& y) {
+    const S* old = find(row, column);
+    S value = old != nullptr ? *old : S(0);
+    fits = fits && subtract_multiple(value, q, y);
+    changes_.push_back({column, value});
+  });
+  if (!fits) return false;
+  for (const Entry<S>& e : changes_) {
     const bool was = find(row, e.column) != nullptr;
-    const auto now = std::lower_bound(scratch_.begin(), scratch_.end(), e.column,
-                                      [](const Entry<S>& x, int c) { return x.column < c; });
-    if (was && now->value == 0) --column_count_[e.column];
+    if (was && e.value == 0) --column_count_[e.column];
     if (!was) {
       ++column_count_[e.column];
       column_rows_[e.column].push_back(row);
     }
     enqueue(e.column);
   }
-  std::erase_if(scratch_, [](const Entry<S>& e) { return e.value == 0; });
-  into.assign(scratch_.begin(), scratch_.end());
-  if (into.size() == 1) lone_rows_.push_back(row);
+  rows_[row].change(changes_);
+  if (rows_[row].size() == 1) lone_rows_.push_back(row);
   return true;
 }
 
 template <class S>
 void Elimination<S>::drop_row(int row) {
-  for (const Entry<S>& e : rows_[row]) {
-    --column_count_[e.column];
-    enqueue(e.column);
-  }
-  Row<S>().swap(rows_[row]);
+  rows_[row].each([&](int column, const S&) {
+    --column_count_[column];
+    enqueue(column);
+  });
+  rows_[row] = Row<S>();
 }
 
 /// For a matrix without units: isolate its smallest entry, as often as it takes; units may appear meanwhile.
@@ -278,15 +261,15 @@ auto Elimination<S>::smallest_entry() const -> std::optional<Pivot> {
   S least = 0;
   long long least_fill = 0;
   for (std::size_t r = 0; r < rows_.size(); ++r) {
-    for (const Entry<S>& e : rows_[r]) {
-      const S size = magnitude(e.value);
-      if (best && size > least) continue;
-      const long long fill = static_cast<long long>(rows_[r].size() - 1) * (column_count_[e.column] - 1);
-      if (best && size == least && fill >= least_fill) continue;
-      best = Pivot{static_cast<int>(r), e.column};
+    rows_[r].each([&](int column, const S& value) {
+      const S size = magnitude(value);
+      if (best && size > least) return;
+      const long long fill = static_cast<long long>(rows_[r].size() - 1) * (column_count_[column] - 1);
+      if (best && size == least && fill >= least_fill) return;
+      best = Pivot{static_cast<int>(r), column};
       least = size;
       least_fill = fill;
-    }
+    });
   }
   return best;
 }
@@ -328,26 +311,31 @@ auto Elimination<S>::smaller_in_column(Pivot pivot) -> std::optional<Pivot> {
 template <class S>
 auto Elimination<S>::smaller_in_row(Pivot pivot) -> std::optional<Pivot> {
   const S a = *find(pivot.row, pivot.column);
+  changes_.clear();
   std::optional<Pivot> best;
-  for (Entry<S>& e : rows_[pivot.row]) {
-    if (e.column == pivot.column) continue;
-    e.value = nearest_remainder(e.value, a);
-    if (e.value == 0) {
-      --column_count_[e.column];
-      continue;
+  S least = 0;
+  rows_[pivot.row].each([&](int column, const S& value) {
+    if (column == pivot.column) return;
+    const S rest = nearest_remainder(value, a);
+    changes_.push_back({column, rest});
+    if (rest == 0) {
+      --column_count_[column];
+      return;
     }
-    if (!best || magnitude(e.value) < magnitude(*find(pivot.row, best->column)))
-      best = Pivot{pivot.row, e.column};
-    enqueue(e.column);
-  }
-  std::erase_if(rows_[pivot.row], [](const Entry<S>& e) { return e.value == 0; });
+    if (!best || magnitude(rest) < least) {
+      best = Pivot{pivot.row, column};
+      least = magnitude(rest);
+    }
+    enqueue(column);
+  });
+  rows_[pivot.row].change(changes_);
   return best;
 }
 
 std::vector<Row<Integer>> sorted_rows(const SparseMatrix& matrix) {
   std::vector<Row<Integer>> rows(static_cast<std::size_t>(matrix.rows()));
   for (int r = 0; r < matrix.rows(); ++r) {
-    Row<Integer>& row = rows[r];
+    std::vector<Entry<Integer>> row;
     for (const SparseMatrix::Entry& e : matrix.row(r)) row.push_back({e.column, e.value});
     std::stable_sort(row.begin(), row.end(),
                      [](const auto& x, const auto& y) { return x.column < y.column; });
@@ -360,6 +348,7 @@ std::vector<Row<Integer>> sorted_rows(const SparseMatrix& matrix) {
     }
     row.erase(row.begin() + static_cast<std::ptrdiff_t>(kept), row.end());
     std::erase_if(row, [](const Entry<Integer>& e) { return e.value == 0; });
+    rows[r] = Row<Integer>(std::move(row));
   }
   return rows;
 }
@@ -367,21 +356,29 @@ std::vector<Row<Integer>> sorted_rows(const SparseMatrix& matrix) {
 /// The rows in machine integers, if these hold all entries.
 std::optional<std::vector<Row<Small>>> in_machine_integers(const std::vector<Row<Integer>>& rows) {
   const Integer limit = std::numeric_limits<Small>::max();
-  std::vector<Row<Small>> small(rows.size());
-  for (std::size_t r = 0; r < rows.size(); ++r) {
-    small[r].reserve(rows[r].size());
-    for (const Entry<Integer>& e : rows[r]) {
-      if (e.value > limit || e.value < -limit) return std::nullopt;
-      small[r].push_back({e.column, e.value.convert_to<Small>()});
-    }
+  std::vector<Row<Small>> small;
+  small.reserve(rows.size());
+  for (const Row<Integer>& row : rows) {
+    std::vector<Entry<Small>> entries;
+    bool fits = true;
+    row.each([&](int column, const Integer& value) {
+      fits = fits && value <= limit && value >= -limit;
+      if (fits) entries.push_back({column, value.convert_to<Small>()});
+    });
+    if (!fits) return std::nullopt;
+    small.emplace_back(std::move(entries));
   }
   return small;
 }
 
 std::vector<Row<Integer>> in_large_integers(const std::vector<Row<Small>>& rows) {
-  std::vector<Row<Integer>> large(rows.size());
-  for (std::size_t r = 0; r < rows.size(); ++r)
-    for (const Entry<Small>& e : rows[r]) large[r].push_back({e.column, e.value});
+  std::vector<Row<Integer>> large;
+  large.reserve(rows.size());
+  for (const Row<Small>& row : rows) {
+    std::vector<Entry<Integer>> entries;
+    row.each([&](int column, Small value) { entries.push_back({column, value}); });
+    large.emplace_back(std::move(entries));
+  }
   return large;
 }
 

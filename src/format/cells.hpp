@@ -15,8 +15,11 @@
 
 #include "tetrarch/format/soup.hpp"
 
+#include <array>
 #include <cstdint>
+#include <map>
 #include <span>
+#include <vector>
 
 namespace tetrarch::format {
 
@@ -54,6 +57,11 @@ public:
   void add(Shape shape, std::span<const int> nodes, const CellName& name);
   /// A face of any number of corners, in order around it.
   void add_polygon(std::span<const int> corners, const CellName& name);
+  /// A convex cell by its faces, each in order around it, which need not be seen from outside. The cone is
+  /// from the vertex of the smallest index, or from a new point in the middle where that would be flat or
+  /// turned over, as beside faces that lie in one plane; so with faces that have corners in a row. All points
+  /// of the faces must be there.
+  void add_polyhedron(const std::vector<std::vector<int>>& faces, const CellName& name);
   /// Triangles on each three consecutive points, every other one turned; a negative index begins another
   /// strip.
   void add_strip(std::span<const int> points, const CellName& name);
@@ -69,6 +77,8 @@ private:
   void add_triangle(const std::array<int, 3>& corners, const CellName& name);
   void add_tetrahedron(const std::array<int, 4>& corners, const CellName& name);
   void add_cone(Shape shape, std::span<const int> nodes, const CellName& name);
+  int add_middle(const std::vector<int>& corners);
+  std::vector<std::array<int, 3>> cut_face(const std::vector<int>& face);
   void cut_polygons();
   void leave_out_midside_nodes();
   void turn_prisms();
@@ -83,6 +93,8 @@ private:
   std::vector<Polygon> polygons_;
   std::vector<int> polygon_corners_;
   std::vector<int> midside_nodes_;
+  std::map<std::vector<int>, int>
+      middles_;                     ///< of faces that needed one, by their corners in increasing order
   std::vector<std::size_t> prisms_; ///< the tetrahedra that were prisms
 };
 

@@ -7,6 +7,10 @@
 
 #include "tetrarch/core/error.hpp"
 
+#include <algorithm>
+#include <cstring>
+#include <limits>
+
 namespace tetrarch::format {
 namespace {
 
@@ -181,6 +185,79 @@ std::string write_medit(const Soup& soup) {
   section("Triangles\n", soup.triangles, soup.triangle_tags);
   section("Tetrahedra\n", soup.tetrahedra, soup.tetrahedron_tags);
   return out + "End\n";
+}
+
+namespace {
+
+template <class T>
+void append_bytes(std::string& out, T value) {
+  std::array<char, sizeof(T)> bytes{};
+  std::memcpy(bytes.data(), &value, sizeof(T));
+  out.append(bytes.data(), bytes.size());
+}
+
+constexpr std::size_t integer_size = sizeof(std::int32_t);
+/// Positions of 4 bytes are read as signed by some programs.
+constexpr std::size_t longest_version_2 = std::numeric_limits<std::int32_t>::max();
+
+/// Writes sections, each of which says where the next begins.
+class BinarySections {
+public:
+  explicit BinarySections(std::size_t size) {
+    wide_ = size > longest_version_2;
+    out_.reserve(size);
+    append_bytes<std::int32_t>(out_, 1);
+    append_bytes<std::int32_t>(out_, wide_ ? 3 : 2);
+  }
+  /// `data` bytes will follow.
+  void begin(std::string_view keyword, std::size_t data) {
+    const auto row =
+        std::find_if(codes.begin(), codes.end(), [&](const Code& c) { return c.keyword == keyword; });
+    append_bytes<std::int32_t>(out_, row->code);
+    const std::size_t next = keyword == "End" ? 0 : out_.size() + (wide_ ? 2 : 1) * integer_size + data;
+    if (wide_)
+      append_bytes(out_, static_cast<std::int64_t>(next));
+    else
+      append_bytes(out_, static_cast<std::int32_t>(next));
+  }
+  void integer(std::size_t value) { append_bytes(out_, static_cast<std::int32_t>(value)); }
+  void reference(int value) { append_bytes<std::int32_t>(out_, value); }
+  void real(double value) { append_bytes(out_, value); }
+  std::string text() && { return std::move(out_); }
+
+private:
+  std::string out_;
+  bool wide_ = false;
+};
+
+} // namespace
+
+std::string write_meshb(const Soup& soup) {
+  const std::size_t vertex_size = 3 * sizeof(double) + integer_size;
+  constexpr std::size_t heads = 200; // bytes that all sections' heads have room in
+  BinarySections out(heads + soup.points.size() * vertex_size +
+                     (4 * soup.triangles.size() + 5 * soup.tetrahedra.size()) * integer_size);
+  out.begin("Dimension", integer_size);
+  out.integer(3);
+  out.begin("Vertices", integer_size + soup.points.size() * vertex_size);
+  out.integer(soup.points.size());
+  for (const auto& p : soup.points) {
+    for (const double x : p) out.real(x);
+    out.reference(0);
+  }
+  const auto section = [&](const char* keyword, const auto& elements, const std::vector<int>& tags) {
+    if (elements.empty()) return;
+    out.begin(keyword, (1 + elements.size() * (elements.front().size() + 1)) * integer_size);
+    out.integer(elements.size());
+    for (std::size_t i = 0; i < elements.size(); ++i) {
+      for (const int v : elements[i]) out.integer(static_cast<std::size_t>(v) + 1);
+      out.reference(tags.empty() ? 0 : tags[i]);
+    }
+  };
+  section("Triangles", soup.triangles, soup.triangle_tags);
+  section("Tetrahedra", soup.tetrahedra, soup.tetrahedron_tags);
+  out.begin("End", 0);
+  return std::move(out).text();
 }
 
 std::string write_medit_hexahedra(const std::vector<std::array<double, 3>>& points,

@@ -31,7 +31,7 @@ struct Row {
   std::string_view extension;
 };
 constexpr std::array<Row, 12> rows{{{MeshFormat::medit, "medit", ".mesh"},
-                                    {MeshFormat::medit, "medit", ".meshb"},
+                                    {MeshFormat::meshb, "meshb", ".meshb"},
                                     {MeshFormat::gmsh, "gmsh", ".msh"},
                                     {MeshFormat::tetgen, "tetgen", ".node"},
                                     {MeshFormat::tetgen, "tetgen", ".ele"},
@@ -101,7 +101,7 @@ std::optional<MeshFormat> mesh_format_for_extension(std::string_view path) {
 
 std::optional<MeshFormat> recognise_mesh(std::string_view text, const std::string& source) {
   if (is_binary_stl(text)) return MeshFormat::stl;
-  if (is_binary_medit(text)) return MeshFormat::medit;
+  if (is_binary_medit(text)) return MeshFormat::meshb;
   text = without_byte_order_mark(text);
   constexpr std::string_view vtk_mark = "# vtk DataFile";
   if (text.substr(0, vtk_mark.size()) == vtk_mark) return MeshFormat::vtk;
@@ -120,6 +120,7 @@ static Soup soup_in(std::string_view text, const std::string& source) {
   text = without_byte_order_mark(text);
   switch (*format) {
   case MeshFormat::medit:
+  case MeshFormat::meshb:
     return read_medit(text, source);
   case MeshFormat::gmsh:
     return read_gmsh(text, source);
@@ -186,6 +187,8 @@ std::string write_soup(const Soup& soup, MeshFormat format) {
   switch (format) {
   case MeshFormat::medit:
     return write_medit(soup);
+  case MeshFormat::meshb:
+    return write_meshb(soup);
   case MeshFormat::gmsh:
     return write_gmsh(soup);
   case MeshFormat::tetgen:

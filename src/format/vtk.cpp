@@ -207,13 +207,18 @@ private:
     if (!polydata_ && types_.size() != count)
       in_.fail(std::to_string(types_.size()) + " cell types", std::to_string(count));
     int number = 0;
+    const std::size_t points = soup_.points.size(); // polyhedra may add some
     for (std::size_t k = 0; k < lists_.size(); ++k) {
       const CellList& list = lists_[k];
       for (std::size_t i = 0; i < list.size(); ++i, ++number) {
         const int type = polydata_ ? poly_kinds[k].type : types_[i];
         const auto at = static_cast<std::size_t>(number);
         const CellName name{number, list.line(i), at < labels_.size() ? labels_[at] : 0};
-        add_vtk_cell(cells_, soup_.passed_over, type, list.points_of(i), name, {soup_.source, name.line});
+        const Place place{soup_.source, name.line};
+        if (type == vtk_polyhedron)
+          add_vtk_polyhedron(cells_, list.points_of(i), 0, points, name, place);
+        else
+          add_vtk_cell(cells_, soup_.passed_over, type, list.points_of(i), name, place);
       }
     }
   }

@@ -97,12 +97,37 @@ void add_vtk_cell(Cells& cells, Ledger& passed_over, int type, std::span<const i
   if (known == types.end())
     throw InputError(place, "found a cell of type " + std::to_string(type) +
                                 ", expected triangles, quadrilaterals, polygons, tetrahedra, pyramids, "
-                                "prisms or hexahedra");
+                                "prisms, hexahedra or polyhedra");
   const auto expected =
       static_cast<std::size_t>(known->nodes > 0 ? known->nodes : corner_count(known->shape));
   if (known->nodes > 0 ? points.size() != expected : points.size() < expected)
     refuse_count(points.size(), expected, name, place);
   cells.add(known->shape, in_our_order(type, known->shape, points), name);
+}
+
+void add_vtk_polyhedron(Cells& cells, std::span<const int> stream, int first_point, std::size_t points,
+                        const CellName& name, const Place& place) {
+  std::size_t at = 0;
+  const auto next = [&](const char* what, std::int64_t least, std::int64_t end) {
+    if (at == stream.size())
+      throw InputError(place, "the faces of cell " + std::to_string(name.number) + " end before " + what);
+    const int value = stream[at++];
+    if (value < least || value >= end)
+      throw InputError(place, "found " + std::to_string(value) + " in the faces of cell " +
+                                  std::to_string(name.number) + ", expected " + what + ", " +
+                                  std::to_string(least) + " to " + std::to_string(end - 1));
+    return value;
+  };
+  const auto rest = static_cast<std::int64_t>(stream.size()) + 1;
+  std::vector<std::vector<int>> faces(static_cast<std::size_t>(next("the number of its faces", 4, rest)));
+  for (std::vector<int>& face : faces) {
+    face.resize(static_cast<std::size_t>(next("the number of a face's corners", 3, rest)));
+    for (int& v : face)
+      v = first_point + next("the number of a point", 0, static_cast<std::int64_t>(points) - first_point);
+  }
+  if (at != stream.size())
+    throw InputError(place, "the faces of cell " + std::to_string(name.number) + " go on after the last one");
+  cells.add_polyhedron(faces, name);
 }
 
 int label_rank(std::string_view name) {

@@ -172,10 +172,39 @@ private:
     return read_integers(storage_, cells.find_child_by_attribute("DataArray", "Name", name));
   }
 
+  /// The faces of cells, as VTK has them up to its version 9.3.
+  struct Polyhedra {
+    std::vector<int> faces;
+    std::vector<std::pair<int, int>> range; ///< of each cell in `faces`
+    std::span<const int> of(std::size_t cell) const {
+      if (cell >= range.size()) return {};
+      const auto [begin, end] = range[cell];
+      return std::span(faces).subspan(static_cast<std::size_t>(begin), static_cast<std::size_t>(end - begin));
+    }
+  };
+  Polyhedra read_polyhedra(const pugi::xml_node& node, std::size_t cells) const {
+    Polyhedra found;
+    if (!node.find_child_by_attribute("DataArray", "Name", "faceoffsets")) return found;
+    found.faces = array(node, "faces");
+    const std::vector<int> ends = array(node, "faceoffsets");
+    require_size(ends.size(), cells, "offsets of faces");
+    int last = 0;
+    for (const int end : ends) { // -1: this cell is none
+      if (end >= 0 && (end < last || static_cast<std::size_t>(end) > found.faces.size()))
+        fail("found the offset of faces " + std::to_string(end) + ", expected " + std::to_string(last) +
+             " to " + std::to_string(found.faces.size()));
+      found.range.emplace_back(last, end < 0 ? last : end);
+      last = found.range.back().second;
+    }
+    return found;
+  }
+
   /// `labels` begin at the place `before`.
   template <class TypeOf>
   void read_cells(const pugi::xml_node& node, std::size_t cells, int first_point,
                   const std::vector<int>& labels, std::size_t before, TypeOf type_of) {
+    const Polyhedra polyhedra = read_polyhedra(node, cells);
+    const std::size_t all_points = soup_.points.size(); // polyhedra may add some
     const std::vector<int> ends = array(node, "offsets");
     std::vector<int> points = array(node, "connectivity");
     require_size(ends.size(), cells, "offsets");
@@ -192,7 +221,11 @@ private:
       const auto corners = std::span<const int>(points).subspan(static_cast<std::size_t>(start),
                                                                 static_cast<std::size_t>(ends[i] - start));
       const int label = labels.empty() ? 0 : labels[before + i];
-      add_vtk_cell(cells_, soup_.passed_over, type_of(i), corners, {number_++, 0, label}, {soup_.source, 0});
+      const CellName name{number_++, 0, label};
+      if (type_of(i) == vtk_polyhedron)
+        add_vtk_polyhedron(cells_, polyhedra.of(i), first_point, all_points, name, {soup_.source, 0});
+      else
+        add_vtk_cell(cells_, soup_.passed_over, type_of(i), corners, name, {soup_.source, 0});
       start = ends[i];
     }
   }

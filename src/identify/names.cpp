@@ -2,6 +2,7 @@
 #include "tetrarch/identify/names.hpp"
 
 #include "famous.hpp"
+#include "tetrarch/catalogue/cusped.hpp"
 #include "tetrarch/catalogue/manifold.hpp"
 #include "tetrarch/core/error.hpp"
 #include "tetrarch/core/signature.hpp"
@@ -154,6 +155,8 @@ std::optional<Named> listed(std::string_view name) {
   for (const detail::Famous& f : detail::famous)
     if (name == f.name || std::find(f.aliases.begin(), f.aliases.end(), name) != f.aliases.end())
       return Named{std::string(f.name), from_signature(f.signature)};
+  if (const auto cusped = catalogue::find_cusped(name))
+    return Named{std::string(cusped->name), from_signature(cusped->signature)};
   for (const auto& [known, signature] : simple)
     if (name == known) return Named{std::string(known), from_signature(signature)};
   return std::nullopt;
@@ -195,6 +198,7 @@ std::vector<std::string> listed_names() {
       if (!alias.empty()) names.emplace_back(alias);
   }
   for (const auto& [name, signature] : simple) names.emplace_back(name);
+  for (int k = 0; k < catalogue::cusped_count(); ++k) names.emplace_back(catalogue::cusped_at(k).name);
   return names;
 }
 

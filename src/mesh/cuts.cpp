@@ -86,6 +86,17 @@ double side_length(const MarkedSurface& surface, Side s) {
   return numeric::distance(surface.points[surface.surface.from(s)], surface.points[surface.surface.to(s)]);
 }
 
+double dual_length(const MarkedSurface& surface, Side s) {
+  if (surface.points.empty()) return 1.0;
+  const auto center = [&](int t) {
+    numeric::Point sum{};
+    for (const int v : surface.surface.corners(t))
+      for (std::size_t axis = 0; axis < 3; ++axis) sum[axis] += surface.points[v][axis] / 3;
+    return sum;
+  };
+  return numeric::distance(center(s.triangle()), center(surface.surface.mate(s).triangle()));
+}
+
 std::vector<double> side_lengths(const MarkedSurface& surface) {
   std::vector<double> length;
   length.reserve(static_cast<std::size_t>(surface.surface.side_count()));

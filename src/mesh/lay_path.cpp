@@ -30,7 +30,7 @@ constexpr double step_cost = 1e-3;
 /// where it started.
 class Search {
 public:
-  Search(const MarkedSurface& surface, const Surface& open);
+  Search(const MarkedSurface& surface, const Surface& open, const Tolls& tolls);
   /// Stops when a vertex of `to` is reached, and returns it; -1 if none can be, or `to` is empty.
   int run(const std::vector<SideEnd>& from, const std::vector<SideEnd>& to);
 
@@ -65,10 +65,11 @@ private:
   double cost(int a, int b) const;
   void expand(int node);
   void enter_triangle(int node, int triangle, int corner);
-  void relax(int node, int next, SideEnd along);
+  void relax(int node, int next, SideEnd along, double toll);
 
   const MarkedSurface& surface_;
   const Surface& open_;
+  const Tolls& tolls_;
   double unit_ = 1;
   std::vector<SideEnd> end_of_; ///< of each vertex, some end there
   std::vector<char> is_free_;
@@ -78,8 +79,8 @@ private:
   std::priority_queue<std::pair<double, int>, std::vector<std::pair<double, int>>, std::greater<>> queue_;
 };
 
-Search::Search(const MarkedSurface& surface, const Surface& open)
-    : surface_(surface), open_(open), end_of_(static_cast<std::size_t>(open.vertex_count())),
+Search::Search(const MarkedSurface& surface, const Surface& open, const Tolls& tolls)
+    : surface_(surface), open_(open), tolls_(tolls), end_of_(static_cast<std::size_t>(open.vertex_count())),
       is_free_(end_of_.size(), 1), is_crowded_(end_of_.size(), 0),
       distance_(end_of_.size() + surface.mark.size(), infinity), step_(distance_.size()) {
   const std::vector<double> length = side_lengths(surface);
@@ -146,19 +147,23 @@ void Search::expand(int node) {
 
 /// `corner` is where in the triangle the node is; -1 for a middle.
 void Search::enter_triangle(int node, int triangle, int corner) {
+  const auto toll_along = [&](Side s) {
+    return tolls_.between(surface_.origin[triangle], surface_.origin[open_.mate(s).triangle()]);
+  };
+  const double through = tolls_.through(surface_.origin[triangle]);
   for (const Side s : sides_of(triangle)) {
-    if (is_chord(s) && middle_of(s) != node) relax(node, middle_of(s), {});
+    if (is_chord(s) && middle_of(s) != node) relax(node, middle_of(s), {}, through);
     if (corner < 0) {
-      relax(node, open_.apex(s), {});
+      relax(node, open_.apex(s), {}, through);
     } else if (s.corner() != corner && !open_.is_boundary(s)) {
       const bool at_start = SideEnd{s, true}.corner() == corner;
-      relax(node, open_.vertex({s, !at_start}), {s, at_start});
+      relax(node, open_.vertex({s, !at_start}), {s, at_start}, toll_along(s));
     }
   }
 }
 
-void Search::relax(int node, int next, SideEnd along) {
-  const double further = distance_[node] + cost(node, next);
+void Search::relax(int node, int next, SideEnd along, double toll) {
+  const double further = distance_[node] + cost(node, next) + toll * unit_;
   if (further >= distance_[next]) return;
   distance_[next] = further;
   step_[next] = {node, along};
@@ -258,14 +263,14 @@ std::vector<Corner> corners(const MarkedSurface& surface, const Surface& open) {
 }
 
 std::vector<double> path_lengths(const MarkedSurface& surface, const Surface& open,
-                                 const std::vector<SideEnd>& from) {
-  Search search(surface, open);
+                                 const std::vector<SideEnd>& from, const Tolls& tolls) {
+  Search search(surface, open, tolls);
   search.run(from, {});
   return search.vertex_distances();
 }
 
 SplitCount lay_path(MarkedSurface& surface, int m, const Places& from, const Places& to,
-                    const Progress& progress) {
+                    const Progress& progress, const Tolls& tolls) {
   SplitCount count;
   // Once chords are split, the search finds the way over their middles, or a cheaper one; likewise once
   // diagonals are flipped. Every round crosses fewer; the budget is for mistakes of ours.
@@ -273,7 +278,7 @@ SplitCount lay_path(MarkedSurface& surface, int m, const Places& from, const Pla
   for (int round = 0; round < most_rounds; ++round) {
     if (progress.stop_requested()) throw Stopped();
     const Surface open = cut_open(surface);
-    Search search(surface, open);
+    Search search(surface, open, tolls);
     const int end = search.run(from(open), to(open));
     if (end < 0) {
       if (!split_face_between(surface, open, from(open), to(open)))

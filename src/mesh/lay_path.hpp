@@ -37,9 +37,23 @@ struct Corner {
 /// not be turned. O(n).
 std::vector<Corner> corners(const MarkedSurface& surface, const Surface& open);
 
+/// What it costs to cut a forest of triangles of the first surface (`MarkedSurface::origin`), in edges of
+/// mean length: a path along an edge that a way from a triangle to its parent crosses pays the toll of the
+/// triangle, and so does a path through the triangle.
+struct Tolls {
+  std::vector<int> parent; ///< of each triangle; -1: none
+  std::vector<double> of;  ///< each triangle
+  double between(int p, int q) const {
+    if (of.empty()) return 0;
+    if (parent[p] == q) return of[p];
+    return parent[q] == p ? of[q] : 0;
+  }
+  double through(int p) const { return of.empty() ? 0 : of[p]; }
+};
+
 /// The length of the shortest path from `from` to each vertex of `open`. O(n log n).
 std::vector<double> path_lengths(const MarkedSurface& surface, const Surface& open,
-                                 const std::vector<SideEnd>& from);
+                                 const std::vector<SideEnd>& from, const Tolls& tolls = {});
 
 struct SplitCount {
   int edges = 0;
@@ -53,6 +67,6 @@ using Places = std::function<std::vector<SideEnd>(const Surface& open)>;
 /// its sides of mark m. Throws `PreconditionError` if they are on different parts of the surface cut open.
 /// Returns what had to be split. A stop is heard between searches. O(n log n).
 SplitCount lay_path(MarkedSurface& surface, int m, const Places& from, const Places& to,
-                    const Progress& progress = {});
+                    const Progress& progress = {}, const Tolls& tolls = {});
 
 } // namespace tetrarch::mesh

@@ -38,6 +38,7 @@ int split_edge(MarkedSurface& surface, Side s) {
   const std::array<int, 3> of{surface.surface.from(s), surface.surface.to(s), -1};
   add_mean(surface.points, of, 2);
   surface.splits.push_back({surface.surface.vertex_count(), of});
+  surface.edits.push_back({Edit::Kind::split_edge, s});
   return surface.surface.split_edge(s, &surface.mark, &surface.origin);
 }
 
@@ -45,6 +46,7 @@ int split_face(MarkedSurface& surface, int triangle) {
   const std::array<int, 3> of = surface.surface.corners(triangle);
   add_mean(surface.points, of, 3);
   surface.splits.push_back({surface.surface.vertex_count(), of});
+  surface.edits.push_back({Edit::Kind::split_face, Side(triangle, 0)});
   return surface.surface.split_face(triangle, &surface.mark, &surface.origin);
 }
 
@@ -57,7 +59,19 @@ void turn_triangles(MarkedSurface& surface, const std::vector<int>& sign) {
 }
 
 void flip_edge(MarkedSurface& surface, Side s) {
+  surface.edits.push_back({Edit::Kind::flip_edge, s});
   surface.surface.flip_edge(s, &surface.mark);
+}
+
+void repeat(MarkedSurface& surface, const Edit& edit, std::vector<int>& name) {
+  const Side s(name[static_cast<std::size_t>(edit.side.triangle())], edit.side.corner());
+  const int before = surface.surface.triangle_count();
+  switch (edit.kind) {
+  case Edit::Kind::split_edge: split_edge(surface, s); break;
+  case Edit::Kind::split_face: split_face(surface, s.triangle()); break;
+  case Edit::Kind::flip_edge: flip_edge(surface, s); break;
+  }
+  for (int t = before; t < surface.surface.triangle_count(); ++t) name.push_back(t);
 }
 
 Surface cut_open(const MarkedSurface& surface) {

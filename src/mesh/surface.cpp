@@ -118,6 +118,21 @@ Surface::Surface(const Table<Side, Side>& mate, std::vector<char> turned)
   name_vertices();
 }
 
+Surface::Surface(int vertices, std::vector<Triangle> triangles, const Table<Side, Side>& mate)
+    : vertices_(vertices), triangles_(std::move(triangles)), mate_(mate.values()) {
+  if (mate.size() != side_count()) throw PreconditionError("three sides for each triangle are needed");
+  for (const Triangle& t : triangles_)
+    if (*std::min_element(t.begin(), t.end()) < 0 || *std::max_element(t.begin(), t.end()) >= vertices)
+      throw PreconditionError("a triangle names a vertex that there is not");
+  for (int k = 0; k < side_count(); ++k) {
+    const Side s(k);
+    const Side m = mate[s];
+    if (!m.exists()) continue;
+    if (m == s || m.value >= side_count() || mate[m] != s || from(m) != to(s) || to(m) != from(s))
+      throw PreconditionError("the mates of side " + std::to_string(k) + " do not fit each other");
+  }
+}
+
 /// Gives each corner the number of its vertex, fan by fan.
 void Surface::name_vertices() {
   for (int t = 0; t < triangle_count(); ++t)

@@ -29,6 +29,24 @@ Dense transposed(const Dense& m) {
 
 } // namespace
 
+// By hand: the relations are f_i - f_(i+1) + a h = 0 around a ring of n, whose sum is n a h = 0. The row of h
+// is long, and so changes its form; with a large a it outgrows machine integers on the way. The square of the
+// longest would take a minute.
+TEST_CASE("A generator in every relation", "[smith]") {
+  const auto ring = [](int n, const Integer& a) {
+    SparseMatrix m(n + 1, n);
+    for (int i = 0; i < n; ++i) {
+      m.add(i, i, 1);
+      m.add((i + 1) % n, i, -1);
+      m.add(n, i, a);
+    }
+    return smith_normal_form(m);
+  };
+  for (const int n : {2, 255, 256, 257, 1000, 200'000}) CHECK(ring(n, 1) == SmithForm{n - 1, {n}});
+  const Integer large = Integer(1) << 60;
+  for (const int n : {200, 300}) CHECK(ring(n, large) == SmithForm{n - 1, {n * large}});
+}
+
 TEST_CASE("Smith forms by hand", "[smith]") {
   // By hand: the gcd of the entries 2 and 3 is 1, the determinant 6.
   CHECK(smith({{2, 0}, {0, 3}}) == SmithForm{1, {6}});

@@ -43,6 +43,27 @@ TEST_CASE("runs keep any list of integers", "[mesh]") {
   CHECK(runs.runs().size() == 6); // counted by hand
 }
 
+// By libMeshb's layout, counted by hand: 8 bytes of head; Dimension 12; Vertices 8 + 4 + 28 each; Tetrahedra
+// 8 + 4 + 20 each; End 8.
+TEST_CASE("a mesh survives as bytes of MEDIT", "[mesh]") {
+  Soup soup = two_tetrahedra();
+  soup.tetrahedron_tags = {7, -3};
+  const std::string bytes = write_soup(soup, MeshFormat::meshb);
+  const std::size_t triangles = soup.triangles.empty() ? 0 : 12 + 16 * soup.triangles.size();
+  CHECK(bytes.size() == 8 + 12 + 12 + 28 * soup.points.size() + triangles + 12 + 20 * 2 + 8);
+  std::int32_t next = 0;
+  std::memcpy(&next, bytes.data() + 12, sizeof next); // after the code of Dimension
+  CHECK(next == 20);
+  CHECK(recognise_mesh(bytes, "f") == MeshFormat::meshb);
+  const Soup back = read_soup(bytes, "f");
+  CHECK(back.points == soup.points);
+  CHECK(back.triangles == soup.triangles);
+  CHECK(back.tetrahedra == soup.tetrahedra);
+  CHECK(back.tetrahedron_tags == soup.tetrahedron_tags);
+  CHECK(mesh_format_for_extension("x.meshb") == MeshFormat::meshb);
+  CHECK(read_soup(write_soup(Soup(), MeshFormat::meshb), "f").points.empty());
+}
+
 TEST_CASE("a mesh survives every format", "[mesh]") {
   for (const MeshFormat format : solid_formats) {
     INFO(name_of(format));

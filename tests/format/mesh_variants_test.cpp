@@ -606,8 +606,9 @@ TEST_CASE("labels go through every pair of formats that hold them", "[variants]"
   soup.triangles.push_back({0, 2, 1});
   soup.triangle_tags = {4, 0};
   soup.tetrahedron_tags = {2, 7};
-  const std::vector<MeshFormat> formats{MeshFormat::medit, MeshFormat::gmsh, MeshFormat::vtk,
-                                        MeshFormat::vtu,   MeshFormat::json, MeshFormat::tetgen};
+  const std::vector<MeshFormat> formats{MeshFormat::medit, MeshFormat::meshb, MeshFormat::gmsh,
+                                        MeshFormat::vtk,   MeshFormat::vtu,   MeshFormat::json,
+                                        MeshFormat::tetgen};
   const Scratch scratch;
   const auto through = [&](const Soup& given, MeshFormat format) {
     if (format == MeshFormat::json) return read_soup(write_soup(given, format), "f");

@@ -83,8 +83,8 @@ int survive(const Document& document, support::Random& random) {
 
 void survive_as_mesh(const Soup& soup) {
   for (const MeshFormat format :
-       {MeshFormat::medit, MeshFormat::gmsh, MeshFormat::vtk, MeshFormat::vtu, MeshFormat::json,
-        MeshFormat::obj, MeshFormat::off, MeshFormat::stl, MeshFormat::ply}) {
+       {MeshFormat::medit, MeshFormat::meshb, MeshFormat::gmsh, MeshFormat::vtk, MeshFormat::vtu,
+        MeshFormat::json, MeshFormat::obj, MeshFormat::off, MeshFormat::stl, MeshFormat::ply}) {
     const bool holds_surfaces =
         std::find(surface_formats.begin(), surface_formats.end(), format) != surface_formats.end();
     if (holds_surfaces && soup.triangles.empty()) continue;

@@ -180,6 +180,41 @@ inline TriangleList genus_surface(int g, int m = 4, int n = 4) {
   return sum;
 }
 
+/// The boundary of a slab of unit cubes with `rows` times `columns` square holes, each a cube wide, a cube
+/// apart: genus rows * columns, 20 triangles a handle and those of the rim, with points.
+inline TriangleList plate_surface(int rows, int columns) {
+  const auto is_solid = [&](int i, int j) {
+    return i >= 0 && j >= 0 && i <= 2 * rows && j <= 2 * columns && (i % 2 == 0 || j % 2 == 0);
+  };
+  TriangleList mesh;
+  std::map<std::array<int, 3>, int> name;
+  const auto quad = [&](const std::array<std::array<int, 3>, 4>& corners) {
+    std::array<int, 4> v{};
+    for (std::size_t k = 0; k < 4; ++k) {
+      const auto& p = corners[k];
+      const auto [at, is_new] = name.try_emplace(p, mesh.vertices);
+      if (is_new) {
+        ++mesh.vertices;
+        mesh.points.push_back({1.0 * p[0], 1.0 * p[1], 1.0 * p[2]});
+      }
+      v[k] = at->second;
+    }
+    mesh.triangles.push_back({v[0], v[1], v[2]});
+    mesh.triangles.push_back({v[0], v[2], v[3]});
+  };
+  for (int i = 0; i <= 2 * rows; ++i)
+    for (int j = 0; j <= 2 * columns; ++j) {
+      if (!is_solid(i, j)) continue;
+      quad({{{i, j, 1}, {i + 1, j, 1}, {i + 1, j + 1, 1}, {i, j + 1, 1}}});
+      quad({{{i, j, 0}, {i, j + 1, 0}, {i + 1, j + 1, 0}, {i + 1, j, 0}}});
+      if (!is_solid(i - 1, j)) quad({{{i, j, 0}, {i, j, 1}, {i, j + 1, 1}, {i, j + 1, 0}}});
+      if (!is_solid(i + 1, j)) quad({{{i + 1, j, 0}, {i + 1, j + 1, 0}, {i + 1, j + 1, 1}, {i + 1, j, 1}}});
+      if (!is_solid(i, j - 1)) quad({{{i, j, 0}, {i + 1, j, 0}, {i + 1, j, 1}, {i, j, 1}}});
+      if (!is_solid(i, j + 1)) quad({{{i, j + 1, 0}, {i, j + 1, 1}, {i + 1, j + 1, 1}, {i + 1, j + 1, 0}}});
+    }
+  return mesh;
+}
+
 /// The sum of k >= 1 projective planes.
 inline TriangleList crosscaps(int k) {
   TriangleList sum = projective_plane();

@@ -1,17 +1,19 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""What the program writes is opened by programs that are not ours, and what they write is read: Gmsh, VTK, TetGen and meshio.
+"""What the program writes is opened by programs that are not ours, and what they write is read: Gmsh, VTK, TetGen, meshio and
+Khronos' glTF validator.
 
-Counts, labels, orientation and volume are compared. Whatever of the four is not installed is left out; if all are missing, the
+Counts, labels, orientation and volume are compared. Whatever of these is not installed is left out; if all are missing, the
 test is skipped.
 """
+import json
 import os
 import shutil
 import subprocess
 import sys
 import unittest
 
-from running import SOURCE, InFolder, run, run_json
-from meshes_test import QUADS, CUBE, grid, medit, off
+from running import SOURCE, InFolder, medit, run, run_json
+from meshes_test import QUADS, CUBE, grid, off
 
 try:
     import vtk
@@ -24,6 +26,17 @@ except ImportError:
 GMSH = shutil.which("gmsh")
 TETGEN = shutil.which("tetgen")
 
+
+def folder_of_gltf_validator():
+    """Where npm has put it: beside us, for everyone, or where NODE_PATH says; none if it is nowhere."""
+    if not (shutil.which("node") and shutil.which("npm")):
+        return None
+    root = subprocess.run(["npm", "root", "-g"], capture_output=True, text=True, timeout=60, check=False).stdout.strip()
+    places = [*os.environ.get("NODE_PATH", "").split(os.pathsep), os.path.join(SOURCE, "node_modules"), root]
+    return next((p for p in places if p and os.path.isdir(os.path.join(p, "gltf-validator"))), None)
+
+
+GLTF = folder_of_gltf_validator()
 GENUS2 = os.path.join(SOURCE, "tests/data/mesh/double_torus.off")
 
 
@@ -85,7 +98,6 @@ class Gmsh(InFolder):
     def labels_of(self, path):
         """How many triangles and tetrahedra have each label."""
         text = run("convert", path, "--to", "mesh").stdout
-        import json
         mesh = json.loads(text)
         return tuple({k: mesh[name].count(k) for k in sorted(set(mesh[name]))} for name in ("triangle_tags", "tetrahedron_tags"))
 
@@ -250,11 +262,76 @@ class Vtk(InFolder):
                 self.assertEqual((report["triangles"], report["type"]), (12, "sphere"), path)
 
 
+    def grid_of_polyhedra(self, octree):
+        """Two cubes side by side as polyhedra. In `octree` the second is eight small ones, so that the first has the four faces of these
+        on its side."""
+        data = vtk.vtkUnstructuredGrid()
+        places, index = vtk.vtkPoints(), {}
+
+        def point(p):
+            if p not in index:
+                index[p] = places.InsertNextPoint(p)
+            return index[p]
+
+        def box(x, y, z, size, parted=False):
+            def quad(origin, u, v, step):
+                return [tuple(origin[i] + a * step * u[i] + b * step * v[i] for i in range(3)) for a, b in ((0, 0), (1, 0), (1, 1), (0, 1))]
+            faces = []
+            for axis in range(3):
+                u, v = [tuple(int(i == (axis + k) % 3) for i in range(3)) for k in (1, 2)]
+                for far in (0, 1):
+                    origin = tuple((x, y, z)[i] + (far * size if i == axis else 0) for i in range(3))
+                    steps = 2 if parted and axis == 0 and far else 1
+                    step = size / steps
+                    for a in range(steps):
+                        for b in range(steps):
+                            at = tuple(origin[i] + a * step * u[i] + b * step * v[i] for i in range(3))
+                            face = quad(at, u, v, step)
+                            if parted and axis != 0:  # the edges beside the parted face have a vertex in the middle
+                                face = [q for k, p in enumerate(face) for q in ((p, tuple((s + t) / 2 for s, t in zip(p, face[(k + 1) % 4])))
+                                        if p[0] == face[(k + 1) % 4][0] == x + size else (p,))]
+                            faces.append([point(p) for p in (face if far else face[::-1])])
+            stream = vtk.vtkIdList()
+            stream.InsertNextId(len(faces))
+            for face in faces:
+                stream.InsertNextId(len(face))
+                for v in face:
+                    stream.InsertNextId(v)
+            data.InsertNextCell(vtk.VTK_POLYHEDRON, stream)
+        box(0.0, 0.0, 0.0, 1.0, octree)
+        if octree:
+            for k in range(8):
+                box(1 + (k & 1) / 2, (k >> 1 & 1) / 2, (k >> 2) / 2, 0.5)
+        else:
+            box(1.0, 0.0, 0.0, 1.0)
+        data.SetPoints(places)
+        return data
+
+    def test_polyhedra_are_cut(self):
+        for octree in (False, True):
+            data = self.grid_of_polyhedra(octree)
+            writers = [vtk.vtkXMLUnstructuredGridWriter(), vtk.vtkXMLUnstructuredGridWriter()]
+            writers[1].SetDataModeToAscii()
+            for k, writer in enumerate(writers):
+                writer.SetFileName(self.path(f"p{octree}{k}.vtu"))
+            legacy = vtk.vtkUnstructuredGridWriter()
+            legacy.SetFileName(self.path(f"p{octree}.vtk"))
+            for writer in (*writers, legacy):
+                writer.SetInputData(data)
+                self.assertEqual(writer.Write(), 1)
+                status, report = run_json("check", writer.GetFileName())
+                # Conforming: one boundary, a sphere of area 10; nothing is turned over or flat.
+                self.assertEqual((status, report["fatal"], report["boundary"]), (0, 0, [{"type": "sphere", "genus": 0}]), writer.GetFileName())
+                self.assertEqual(report["counts"], {}, writer.GetFileName())
+                self.assertAlmostEqual(report["volume"], 2)
+                self.assertIn({"what": "polyhedron, cut into tetrahedra", "count": 9 if octree else 2}, report["passed_over"])
+
+
 @unittest.skipUnless(meshio, "meshio is not installed")
 class Meshio(InFolder):
     def test_labels_are_read_and_written(self):
         path, triangles, tetrahedra = labelled(self.folder.name)
-        for name in ("m.msh", "m.vtk", "m.vtu", "m.mesh"):
+        for name in ("m.msh", "m.vtk", "m.vtu", "m.mesh", "m.meshb"):
             ours = self.path(name)
             run("convert", path, "-o", ours)
             mesh = meshio.read(ours)
@@ -266,6 +343,30 @@ class Meshio(InFolder):
                 mesh.write(again)
                 report = run_json("check", again)[1]
                 self.assertEqual((report["tetrahedra"], report["counts"]), (tetrahedra, {}), name)
+
+
+@unittest.skipUnless(GLTF, "Khronos' glTF validator is not installed (npm install gltf-validator)")
+class Gltf(InFolder):
+    def test_the_validator_finds_nothing_in_what_we_write(self):
+        cube, ring = self.path("cube.mesh", medit(*grid(4))), os.path.join(SOURCE, "tests/data/mesh/ring_two_holes.off")
+        torus = os.path.join(SOURCE, "tests/data/mesh/torus.off")
+        files = []
+        for command in (("embed", "cPcbbbihq", "--copies", "20", "--model", "ball"), ("embed", "cPcbbbihq", "--model", "klein"),
+                        ("embed", "cPcbbbihq", "--model", "half-space"), ("bundle", GENUS2, "--fiber", "3"),
+                        ("bundle", GENUS2, "--fiber", "3", "--show", "surface"), ("bundle", torus, "--field", "0", "0", "1"),
+                        ("product", cube), ("hex", cube), ("slit", ring), ("slit", ring, "--quads", "16"), ("register", ring, ring)):
+            files.append(self.path(f"{len(files)}.glb"))
+            done = run(*command, "-o", files[-1])
+            self.assertEqual(done.returncode, 0, (command, done.stderr))
+        script = self.path("validate.js", """
+            const validator = require('gltf-validator'), fs = require('fs');
+            Promise.all(process.argv.slice(2).map(f => validator.validateBytes(new Uint8Array(fs.readFileSync(f)))))
+              .then(all => console.log(JSON.stringify(all)));""")
+        done = subprocess.run(["node", script, *files], capture_output=True, text=True, timeout=120, check=True,
+                              env={**os.environ, "NODE_PATH": GLTF})
+        for path, report in zip(files, json.loads(done.stdout), strict=True):
+            self.assertEqual((report["issues"]["numErrors"], report["issues"]["numWarnings"]), (0, 0), (path, report["issues"]["messages"]))
+            self.assertGreater(report["info"]["totalTriangleCount"], 0, path)
 
 
 @unittest.skipUnless(TETGEN, "TetGen is not installed")
@@ -289,6 +390,6 @@ class Tetgen(InFolder):
 
 
 if __name__ == "__main__":
-    if not (GMSH or TETGEN or vtk or meshio):
+    if not (GMSH or TETGEN or vtk or meshio or GLTF):
         sys.exit(77)
     unittest.main(argv=[sys.argv[0]] + sys.argv[3:])

@@ -6,7 +6,7 @@ import signal
 import subprocess
 import time
 
-from running import InFolder, PROGRAM, SOURCE, run, run_json
+from running import InFolder, PROGRAM, SOURCE, medit, run, run_json
 
 SIX = ((0, 1, 3, 7), (0, 3, 2, 7), (0, 2, 6, 7), (0, 6, 4, 7), (0, 4, 5, 7), (0, 5, 1, 7))
 # Of each corner of a hexahedron the three that it is joined to, right-handed.
@@ -34,13 +34,7 @@ def minus(p, q):
 
 class Hex(InFolder):
     def solid(self, name, points, tetrahedra):
-        with open(self.path(name), "w", encoding="utf-8") as file:
-            file.write("MeshVersionFormatted 2\nDimension 3\nVertices\n%d\n" % len(points))
-            file.writelines("%r %r %r 0\n" % tuple(p) for p in points)
-            file.write("Tetrahedra\n%d\n" % len(tetrahedra))
-            file.writelines("%d %d %d %d 0\n" % tuple(v + 1 for v in t) for t in tetrahedra)
-            file.write("End\n")
-        return self.path(name)
+        return self.path(name, medit(points, tetrahedra))
 
     def read(self, path):
         with open(path, encoding="utf-8") as file:

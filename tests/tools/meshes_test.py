@@ -3,7 +3,7 @@
 import json
 import os
 
-from running import SOURCE, InFolder, run, run_json
+from running import SOURCE, InFolder, medit, run, run_json
 
 DATA = os.path.join(SOURCE, "tests/data/mesh")
 CUBE = [(x, y, z) for z in (0, 1) for y in (0, 1) for x in (0, 1)]
@@ -15,13 +15,6 @@ def off(points, faces):
     lines = ["OFF", "%d %d 0" % (len(points), len(faces))]
     lines += ["%r %r %r" % tuple(p) for p in points] + [" ".join(map(str, (len(f), *f))) for f in faces]
     return "\n".join(lines) + "\n"
-
-
-def medit(points, elements, keyword="Tetrahedra"):
-    lines = ["MeshVersionFormatted 2", "Dimension 3", "Vertices", str(len(points))]
-    lines += ["%r %r %r 0" % tuple(p) for p in points] + [keyword, str(len(elements))]
-    lines += [" ".join(str(v + 1) for v in e) + " 0" for e in elements]
-    return "\n".join(lines + ["End", ""])
 
 
 def moved(points, x):

@@ -159,7 +159,7 @@ class Structures(Options):
 
     def test_attempts_are_counted(self):
         found = run_json("hyperbolize", "dLQacccjcog", "--attempts", "7")[1]
-        self.assertEqual((found["attempts"], found["outcome"]), (7, "not found"))
+        self.assertEqual((found["attempts"], found["outcome"]), (7, "not hyperbolic"))
 
     def test_the_canonical_triangulation_written(self):
         path = self.path("canonical.json")

@@ -22,8 +22,9 @@ from hex_test import *  # noqa: F401,F403: hexahedra of solids
 from hostile_test import *  # noqa: F401,F403: files and surroundings that mean no good
 from inputs_test import *  # noqa: F401,F403: what stands for a triangulation
 from meshes_test import *  # noqa: F401,F403: meshes from elsewhere, and mending them
+from marked_test import *  # noqa: F401,F403: cone angles, parabolic meridians, closed manifolds
 from options_test import *  # noqa: F401,F403: the tests of options that stand nowhere else
-from running import PROGRAM, InFolder, SOURCE, run, run_json, unused_options
+from running import PROGRAM, InFolder, SOURCE, medit, run, run_json, unused_options
 
 
 class Info(unittest.TestCase):
@@ -116,8 +117,24 @@ class Hyperbolize(unittest.TestCase):
         self.assertEqual((closed["cusps"], closed["into_cusps"]), ([], []))
 
     def test_false_convergence_is_not_found(self):
-        status, found = run_json("hyperbolize", "dLQacccjcog")
+        status, found = run_json("hyperbolize", "dLQacccjcog", "--as-given")
         self.assertEqual((status, found["outcome"]), (4, "not found"))
+
+    def test_what_is_not_hyperbolic_is_told_with_its_proof(self):
+        # One of the three gluings of three tetrahedra without a structure: the group splits (a generator in powers only).
+        status, found = run_json("hyperbolize", "dLQacccjcog")
+        self.assertEqual((status, found["outcome"], found["reason"]), (1, "not hyperbolic", "root"))
+        group = found["why"]["group"]
+        self.assertEqual(group["triangulation"], found["signature"])
+        self.assertGreater(group["exponents"][0], 1)
+        text = run("hyperbolize", "dLQacccjcog").stdout
+        self.assertIn(group["shown"], text)
+        self.assertRegex(text, "(?m)^theorem ")
+        status, cells = run_json("canonize", "dLQacccjcog")
+        self.assertEqual((status, cells["outcome"], cells["why"]["kind"]), (1, "not hyperbolic", "root"))
+        # Two trefoils (Regina: the essential torus swallows one and follows the other).
+        status, found = run_json("hyperbolize", "eLMkbcddddlihu")
+        self.assertEqual((status, found["outcome"]), (1, "not hyperbolic"))
 
     def test_a_metric_file_keeps_its_structure(self):
         with tempfile.TemporaryDirectory() as folder:
@@ -242,9 +259,19 @@ class Canonize(unittest.TestCase):
         status, answer = run_json("isometric", "fmp2_1", "fmp2_2")
         self.assertEqual((status, answer["isometric"]), (1, False))
 
-    def test_nothing_is_claimed_without_a_structure(self):
+    def test_one_without_a_structure_is_another_manifold(self):
         status, answer = run_json("isometric", "fmp2_1", "dLQacccjcog")
-        self.assertEqual((status, answer["isometric"]), (4, None))
+        self.assertEqual(status, 1)
+        self.assertIn(answer["proof"], ("homology", "boundary", "structure"))
+
+    def test_covers_tell_apart_what_has_no_structure(self):
+        # Trefoil and torus knot T(2,5): H1 = Z, one torus. The trefoil's group maps onto S3 and T(2,5)'s does not.
+        status, answer = run_json("isometric", "3_1", "5_1")
+        self.assertEqual((status, answer["isometric"], answer["proof"]), (1, False, "covers"))
+        self.assertIn("covers of", answer["reason"])
+        # Homeomorphic, and said so without a structure.
+        status, answer = run_json("isometric", "cPcbbbadu", "cPcbbbadu")
+        self.assertEqual((status, answer["isometric"], answer["proof"]), (0, True, "isomorphism"))
 
 
 class Census(unittest.TestCase):
@@ -413,18 +440,10 @@ class Identify(unittest.TestCase):
 KNOTTED_Y = os.path.join(SOURCE, "tests/data/knotted_y_8k.mesh")
 
 
-def medit(points, tetrahedra):
-    """A MEDIT file; tetrahedron k, counted from 0, stands on line 7 + k + the number of points."""
-    lines = ["MeshVersionFormatted 2", "Dimension 3", "Vertices", str(len(points))]
-    lines += ["%g %g %g 0" % p for p in points]
-    lines += ["Tetrahedra", str(len(tetrahedra))] + ["%d %d %d %d 0" % t for t in tetrahedra] + ["End", ""]
-    return "\n".join(lines)
-
-
 def cubes(n):
     """A cube of n^3 cubes, each split along its diagonal into six tetrahedra."""
     def point(x, y, z):
-        return (x * (n + 1) + y) * (n + 1) + z + 1
+        return (x * (n + 1) + y) * (n + 1) + z
     points = [(x, y, z) for x in range(n + 1) for y in range(n + 1) for z in range(n + 1)]
     steps = [((1, 0, 0), (1, 1, 0)), ((1, 0, 0), (1, 0, 1)), ((0, 1, 0), (1, 1, 0)), ((0, 1, 0), (0, 1, 1)),
              ((0, 0, 1), (1, 0, 1)), ((0, 0, 1), (0, 1, 1))]
@@ -472,7 +491,7 @@ class Meshes(unittest.TestCase):
 
     def test_repair(self):
         points = [(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1), (1, 1, 1), (9, 9, 9)]
-        text = medit(points, [(1, 2, 3, 4), (2, 3, 4, 5), (4, 3, 2, 1), (5, 4, 3, 2)])
+        text = medit(points, [(0, 1, 2, 3), (1, 2, 3, 4), (3, 2, 1, 0), (4, 3, 2, 1)])
         refused = run("info", "-", stdin=text)
         self.assertEqual(refused.returncode, 2)
         self.assertIn("standard input:15:", refused.stderr)
@@ -485,13 +504,13 @@ class Meshes(unittest.TestCase):
     def test_bad_meshes(self):
         points = [(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1), (1, 1, 1), (-1, -1, -1), (2, 2, 0), (0, 2, 2)]
         cases = {
-            "index out of range": ([(1, 2, 3, 9)], "15"),
-            "repeated vertex": ([(1, 2, 3, 3)], "15"),
-            "duplicate": ([(1, 2, 3, 4), (2, 1, 3, 4)], "16"),
-            "face shared by three": ([(1, 2, 3, 4), (1, 2, 3, 5), (1, 2, 3, 6)], None),
-            "edge in the middle of nothing": ([(1, 2, 3, 4), (1, 2, 5, 6)], None),
-            "vertex in the middle of nothing": ([(1, 2, 3, 4), (1, 5, 6, 7)], None),
-            "two components": ([(1, 2, 3, 4), (5, 6, 7, 8)], None),
+            "index out of range": ([(0, 1, 2, 8)], "15"),
+            "repeated vertex": ([(0, 1, 2, 2)], "15"),
+            "duplicate": ([(0, 1, 2, 3), (1, 0, 2, 3)], "16"),
+            "face shared by three": ([(0, 1, 2, 3), (0, 1, 2, 4), (0, 1, 2, 5)], None),
+            "edge in the middle of nothing": ([(0, 1, 2, 3), (0, 1, 4, 5)], None),
+            "vertex in the middle of nothing": ([(0, 1, 2, 3), (0, 4, 5, 6)], None),
+            "two components": ([(0, 1, 2, 3), (4, 5, 6, 7)], None),
             "no tetrahedra": ([], None),
         }
         for name, (tetrahedra, line) in cases.items():
@@ -507,7 +526,7 @@ class Meshes(unittest.TestCase):
 
     def test_check_tells_everything_by_element_and_line(self):
         points = [(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1), (1, 1, 1), (9, 9, 9)]
-        text = medit(points, [(1, 2, 3, 4), (2, 3, 4, 4), (4, 3, 2, 1), (2, 4, 3, 5), (1, 2, 3, 7)])
+        text = medit(points, [(0, 1, 2, 3), (1, 2, 3, 3), (3, 2, 1, 0), (1, 3, 2, 4), (0, 1, 2, 6)])
         done = run("check", "-", "--json", stdin=text)
         report = json.loads(done.stdout)
         self.assertEqual(done.returncode, 1)
@@ -808,8 +827,13 @@ class Errors(unittest.TestCase):
         done = run("check", path, "--json")
         self.assertEqual((done.returncode, done.stdout), (2, ""))
         error = json.loads(done.stderr)["error"]
-        self.assertEqual((error["code"], error["file"], error["line"]), ("bad_input", path, 4))
+        self.assertEqual((error["code"], error["file"], error["line"]), ("bad_content", path, 4))
         self.assertIn("'zero'", error["message"])
+        codes = {("info", "nonsense"): "unknown_name", ("info", "--bogus"): "bad_option", ("info", "m004", "--memory", "x"): "bad_option",
+                 ("check", os.path.join(folder.name, "none.off")): "bad_file", ("check", "cPcbbbihq"): "bad_file", ("no_command",): "bad_option",
+                 ("info", "L(6,2)"): "bad_value", ("hyperbolize", "<a | a^2>"): "wrong_kind"}
+        for words, code in codes.items():
+            self.assertEqual(json.loads(run(*words, "--json").stderr)["error"]["code"], code, words)
         for words in (["info", "nonsense"], ["info", "--bogus"], ["no_command"]):
             done = run(*words, "--json")
             self.assertEqual((done.returncode, done.stdout), (2, ""), words)
@@ -1074,13 +1098,7 @@ class Product(InFolder):
         return done.stderr
 
     def write(self, name, points, tetrahedra):
-        with open(self.path(name), "w", encoding="utf-8") as file:
-            file.write("MeshVersionFormatted 2\nDimension 3\nVertices\n%d\n" % len(points))
-            file.writelines("%r %r %r 0\n" % tuple(p) for p in points)
-            file.write("Tetrahedra\n%d\n" % len(tetrahedra))
-            file.writelines("%d %d %d %d 0\n" % tuple(v + 1 for v in t) for t in tetrahedra)
-            file.write("End\n")
-        return self.path(name)
+        return self.path(name, medit(points, tetrahedra))
 
     def read(self, path):
         """Points, tetrahedra and labelled triangles of a MEDIT file."""
@@ -1536,6 +1554,64 @@ class Slit(InFolder):
         # Euler characteristic of a sphere with three holes.
         self.assertEqual(made["quads"]["vertices"] - len(edges) + len(faces), -1)
         self.assertIn("quads are written as", self.refused(self.ring, "--quads", "24", "-o", self.path("q.svg")))
+
+    def test_quads_of_a_wanted_edge(self):
+        for edge in (0.2, 0.05):
+            _, made = run_json("slit", self.ring, "--quad-edge", str(edge), "-o", self.path("quads.obj"))
+            # Squares of this edge would have the area of the surface: fewer quads are larger.
+            area = made["quads"]["count"] * edge ** 2
+            self.assertAlmostEqual(area / self.area(), 1, delta=0.15)
+            self.assertLess(abs(math.log(made["quads"]["mean_edge"] / edge)), 0.3)
+        self.assertIn("--quad-edge", self.refused(self.ring, "--quad-edge", "100"))
+        self.assertIn("not both", self.refused(self.ring, "--quads", "24", "--quad-edge", "0.1"))
+
+    def area(self):
+        with open(self.ring, encoding="utf-8") as file:
+            words = file.read().split()[1:]
+        n, m = int(words[0]), int(words[1])
+        points = [[float(x) for x in words[3 + 3 * k:6 + 3 * k]] for k in range(n)]
+        faces = [[int(x) for x in words[3 + 3 * n + 4 * k + 1:3 + 3 * n + 4 * k + 4]] for k in range(m)]
+        total = 0
+        for a, b, c in ([points[v] for v in f] for f in faces):
+            u, v = ([q - p for p, q in zip(a, x)] for x in (b, c))
+            total += math.hypot(u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]) / 2
+        return total
+
+    def test_areas_for_angles(self):
+        for domain in ("parallel", "concentric", "circular"):
+            _, plain = run_json("slit", self.ring, "--domain", domain)
+            code, made = run_json("slit", self.ring, "--domain", domain, "--balance")
+            self.assertEqual((code, made["flipped"], made["balanced"]["settled"]), (0, 0, True))
+            self.assertEqual(made["balanced"]["mean_area_error_before"], plain["mean_area_error"])
+            self.assertLess(made["mean_area_error"], 0.8 * plain["mean_area_error"])
+            self.assertGreater(made["mean_angle_error"], plain["mean_angle_error"])
+            self.assertLess(made["balanced"]["energy"], made["balanced"]["energy_before"])
+        # The surface is bent but a little, so that it may lie in the plane nearly as it is: its own area, all edges as long.
+        path = self.path("free.obj")
+        code, made = run_json("slit", self.ring, "--domain", "free", "-o", path)
+        self.assertEqual((code, made["flipped"], made["crossings"]), (0, 0, 0))
+        with open(path, encoding="utf-8") as file:
+            lines = [line.split() for line in file]
+        flat = [[float(x) / made["texture"]["scale"] for x in w[1:3]] for w in lines if w[0] == "vt"]
+        faces = [[int(x.split("/")[1]) - 1 for x in w[1:]] for w in lines if w[0] == "f"]
+        area = sum((flat[b][0] - flat[a][0]) * (flat[c][1] - flat[a][1]) - (flat[b][1] - flat[a][1]) * (flat[c][0] - flat[a][0])
+                   for a, b, c in faces) / 2
+        self.assertAlmostEqual(area / self.area(), 1, delta=0.03)
+        self.assertIn("--balance", self.refused(self.ring, "--domain", "free", "--balance"))
+
+    def test_rectangles(self):
+        path = self.path("floor.svg")
+        code, made = run_json("slit", self.ring, "--domain", "rectangle", "-o", path)
+        self.assertEqual((code, made["flipped"], made["converged"], len(made["holes"])), (0, 0, True, 2))
+        self.assertLess(made["holonomy"], 1e-8)
+        for hole in made["holes"]:
+            self.assertTrue(0 < hole["left"] < hole["right"] < 1 and 0 < hole["bottom"] < hole["top"] < made["height"])
+        # The same corners named, from another one on: the rectangle turned by a quarter, so that its height is inverted.
+        corners = made["corners"][1:] + made["corners"][:1]
+        _, turned = run_json("slit", self.ring, "--domain", "rectangle", "--corners", ",".join(map(str, corners)))
+        self.assertAlmostEqual(turned["height"] * made["height"], 1, delta=0.02)
+        self.assertIn("four vertices", self.refused(self.ring, "--domain", "rectangle", "--corners", "1,2,3"))
+        self.assertIn("--domain rectangle", self.refused(self.ring, "--corners", "1,2,3,4"))
 
     def test_bad_surfaces(self):
         self.assertIn("torus", self.refused(os.path.join(SOURCE, "tests/data/mesh/torus.off")))

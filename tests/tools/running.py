@@ -26,6 +26,14 @@ def run_json(*arguments):
     return done.returncode, json.loads(done.stdout)
 
 
+def medit(points, elements, keyword="Tetrahedra"):
+    """The text of a MEDIT file, whose elements count from 0 here; element k is on line 7 + k + the number of points."""
+    lines = ["MeshVersionFormatted 2", "Dimension 3", "Vertices", str(len(points))]
+    lines += ["%r %r %r 0" % tuple(p) for p in points] + [keyword, str(len(elements))]
+    lines += [" ".join(str(v + 1) for v in e) + " 0" for e in elements]
+    return "\n".join(lines + ["End", ""])
+
+
 class InFolder(unittest.TestCase):
     """A folder of its own for each test."""
 

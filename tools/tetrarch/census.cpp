@@ -7,6 +7,7 @@
 #include "tetrarch/core/error.hpp"
 #include "tetrarch/core/signature.hpp"
 #include "tetrarch/enumeration/gluings.hpp"
+#include "tetrarch/format/new_files.hpp"
 #include "tetrarch/format/records.hpp"
 #include "tetrarch/format/text.hpp"
 
@@ -121,10 +122,11 @@ catalogue::Share share_in(const std::string& text) {
 }
 
 /// The records of a folder, which is made if it is to be written to; or the file of the records itself.
-std::unique_ptr<format::Records> open_work(const std::string& folder, int tetrahedra,
+std::unique_ptr<format::Records> open_work(const std::string& folder, int tetrahedra, bool brief,
                                            format::Records::Open how) {
   std::error_code error;
-  const std::string heading = "classification of " + std::to_string(tetrahedra) + " tetrahedra";
+  const std::string heading =
+      "certified classification of " + std::to_string(tetrahedra) + " tetrahedra" + (brief ? ", brief" : "");
   if (how == format::Records::Open::read && std::filesystem::is_regular_file(folder, error))
     return std::make_unique<format::Records>(folder, heading, how);
   error.clear();
@@ -132,6 +134,75 @@ std::unique_ptr<format::Records> open_work(const std::string& folder, int tetrah
   if (error) throw InputError({folder, 0}, "this folder cannot be made: " + error.message());
   return std::make_unique<format::Records>((std::filesystem::path(folder) / "records").string(), heading,
                                            how);
+}
+
+/// A few of the signatures; all are in the JSON.
+std::string some_of(const std::vector<catalogue::Unsettled>& list) {
+  constexpr std::size_t most = 10;
+  std::string text;
+  for (std::size_t k = 0; k < std::min(most, list.size()); ++k)
+    text += (k == 0 ? "" : ", ") + list[k].signature;
+  return text + (list.size() > most ? ", ..." : "");
+}
+
+Json unsettled_json(const std::vector<catalogue::Unsettled>& list) {
+  Json json = Json::array();
+  for (const catalogue::Unsettled& u : list) json.push_back({{"signature", u.signature}, {"why", u.why}});
+  return json;
+}
+
+/// What keeps the list from being a census.
+void tell_unsettled(const catalogue::Classification& found, Result& result) {
+  const auto tell = [&](const std::vector<catalogue::Unsettled>& list, const char* noun, const char* what) {
+    if (list.empty()) return;
+    result.status = Status::undecided;
+    result.warnings.push_back(counted(static_cast<long long>(list.size()), noun) + what + some_of(list));
+  };
+  tell(found.stuck, "structure", " left out for want of a canonical decomposition: ");
+  tell(found.unproved, "structure", " without a proof of it or of its cells: ");
+  tell(found.open, "gluing", " without a structure, and without a proof that there is none: ");
+}
+
+Json summary_json(const catalogue::Classification& found) {
+  const catalogue::Tally& t = found.tally;
+  Json json{{"manifolds", found.manifolds.size()},
+            {"gluings", t.gluings},
+            {"geometric_gluings", t.geometric},
+            {"elsewhere", t.elsewhere},
+            {"none", t.none},
+            {"flat", t.flat},
+            {"certified", t.certified},
+            {"proved", t.proved},
+            {"widest", t.widest}};
+  json["arguments"] = Json::object();
+  for (const auto& [letter, count] : t.arguments) json["arguments"][std::string(1, letter)] = count;
+  json["reasons"] = Json::object();
+  for (const auto& [reason, count] : found.reasons) json["reasons"][reason] = count;
+  json["stuck"] = unsettled_json(found.stuck);
+  json["unproved"] = unsettled_json(found.unproved);
+  json["open"] = unsettled_json(found.open);
+  return json;
+}
+
+/// What became of the gluings.
+std::string summary_of(const catalogue::Classification& found) {
+  const catalogue::Tally& t = found.tally;
+  std::vector<std::pair<std::string, std::string>> rows{
+      {"gluings", std::to_string(t.gluings)},
+      {"  with a structure", std::to_string(t.geometric)},
+      {"  with a structure on another triangulation", std::to_string(t.elsewhere)},
+      {"  proved to have none", std::to_string(t.none)}};
+  for (const auto& [reason, count] : found.reasons) rows.emplace_back("    " + reason, std::to_string(count));
+  rows.emplace_back("  open", std::to_string(found.open.size()));
+  rows.emplace_back("structures certified",
+                    std::to_string(t.certified) + ", volumes within " + scientific(t.widest, 1));
+  std::string arguments;
+  for (const auto& [letter, count] : t.arguments)
+    arguments += (arguments.empty() ? "" : ", ") + std::string(1, letter) + " " + std::to_string(count);
+  rows.emplace_back("decompositions proved", std::to_string(t.proved));
+  rows.emplace_back("manifolds", std::to_string(found.manifolds.size()) + ", " + std::to_string(t.flat) +
+                                     " with cells other than tetrahedra; cells by argument: " + arguments);
+  return block(rows);
 }
 
 /// The manifolds, a line each or as a table in a file; and what is left open.
@@ -149,18 +220,11 @@ Result classification_result(const catalogue::Classification& found, int tetrahe
     for (const Manifold& m : found.manifolds) result.text += manifold_json(m).dump() + "\n";
   else {
     result.files.push_back({output, catalogue::write_table(tetrahedra, found.manifolds)});
-    result.text =
-        counted(static_cast<long long>(found.manifolds.size()), "manifold") + " written to " + output + "\n";
+    result.json = summary_json(found);
+    result.text = summary_of(found) + counted(static_cast<long long>(found.manifolds.size()), "manifold") +
+                  " written to " + output + "\n";
   }
-  if (!found.stuck.empty()) {
-    result.status = Status::undecided;
-    result.warnings.push_back(
-        counted(found.tally.stuck, "structure") +
-        " left out for want of a canonical decomposition: " + joined(found.stuck, ", "));
-  }
-  if (found.tally.flat > 0)
-    result.warnings.push_back(counted(found.tally.flat, "manifold") +
-                              " with flat faces, distinguished by 60 digits and not by proof");
+  tell_unsettled(found, result);
   return result;
 }
 
@@ -219,6 +283,65 @@ struct Wanted {
   }
 };
 
+/// All signatures at once, for programs.
+Result listed(const enumeration::GluingOptions& gluings, const Context& context) {
+  Result result;
+  Json signatures = Json::array();
+  enumerate_signatures(
+      gluings,
+      [&](const std::string& signature) {
+        signatures.push_back(signature);
+        result.text += signature + "\n";
+      },
+      context.progress);
+  result.json = {{"count", signatures.size()}, {"signatures", std::move(signatures)}};
+  return result;
+}
+
+/// Hands out signatures in portions, so that few are kept and none waits long.
+class Portions {
+public:
+  explicit Portions(std::function<void(const std::string&)> deliver) : deliver_(std::move(deliver)) {}
+
+  void add(const std::string& line) {
+    text_ += line + "\n";
+    ++count_;
+    if (text_.size() >= most_bytes || (count_ % 64 == 0 && Clock::now() > next_)) flush();
+  }
+  void flush() {
+    if (!text_.empty()) deliver_(text_);
+    text_.clear();
+    next_ = Clock::now() + std::chrono::milliseconds(500);
+  }
+  long long count() const { return count_; }
+
+private:
+  using Clock = std::chrono::steady_clock;
+  static constexpr std::size_t most_bytes = 1U << 16U;
+
+  std::function<void(const std::string&)> deliver_;
+  std::string text_;
+  long long count_ = 0;
+  Clock::time_point next_ = Clock::now();
+};
+
+/// The same as they are found, printed or into the file.
+Result streamed(const enumeration::GluingOptions& gluings, const std::string& output,
+                const Context& context) {
+  std::optional<format::GrowingFile> file;
+  if (!output.empty()) file.emplace(output);
+  Portions portions(file ? [&file](const std::string& text) { file->add(text); } : context.print);
+  enumerate_signatures(
+      gluings, [&](const std::string& signature) { portions.add(signature); }, context.progress);
+  portions.flush();
+  Result result;
+  result.json = {{"count", portions.count()}};
+  if (!file) return result;
+  file->keep();
+  result.text = counted(portions.count(), "gluing") + " written to " + output + "\n";
+  return result;
+}
+
 } // namespace
 
 Run declare_census_gluings(OptionTable& table) {
@@ -253,19 +376,8 @@ Run declare_census_gluings(OptionTable& table) {
     if (options->orientable) gluings.orientability = Orientability::orientable;
     if (options->nonorientable) gluings.orientability = Orientability::nonorientable;
     if (!options->links.empty()) gluings.links = enumeration::parse_link_set(options->links);
-    const std::vector<std::string> signatures = enumeration::gluing_signatures(gluings, context.progress);
-    std::string lines;
-    for (const std::string& s : signatures) lines += s + "\n";
-    Result result;
-    result.json = {{"count", signatures.size()}, {"signatures", signatures}};
-    result.text = lines;
-    if (!options->output.empty()) {
-      result.text = counted(static_cast<long long>(signatures.size()), "gluing") + " written to " +
-                    options->output + "\n";
-      result.json.erase("signatures");
-      result.files.push_back({options->output, lines});
-    }
-    return result;
+    return options->output.empty() && !context.print ? listed(gluings, context)
+                                                     : streamed(gluings, options->output, context);
   };
 }
 
@@ -297,18 +409,18 @@ Run declare_census_enumerate(OptionTable& table) {
   return [options](const Context& context) {
     catalogue::WorkOptions how;
     how.threads = context.threads;
+    how.angles = !options->brief;
     if (!options->share.empty()) how.share = share_in(options->share);
     if (options->work.empty() && (options->resume || !options->share.empty()))
       throw InputError(std::string(options->resume ? "--resume" : "--shard") + " needs --work");
     std::unique_ptr<format::Records> records;
     if (!options->work.empty()) {
-      records = open_work(options->work, options->tetrahedra,
+      records = open_work(options->work, options->tetrahedra, options->brief,
                           options->resume ? format::Records::Open::resume : format::Records::Open::fresh);
       how.records.find = [&](const std::string& key) { return records->find(key); };
       how.records.keep = [&](const std::string& key, const std::string& text) { records->add(key, text); };
     }
-    auto found = catalogue::classify_manifolds(options->tetrahedra, how, context.progress);
-    if (options->brief) found.manifolds = without_angles(std::move(found.manifolds));
+    const auto found = catalogue::classify_manifolds(options->tetrahedra, how, context.progress);
     Result result = classification_result(found, options->tetrahedra, options->output);
     if (records && records->damaged() > 0)
       result.warnings.push_back(counted(records->damaged(), "damaged record") + " in " + options->work +
@@ -321,6 +433,7 @@ Run declare_census_merge(OptionTable& table) {
   struct Options {
     std::vector<std::string> folders;
     int tetrahedra = 3;
+    bool brief = false;
     std::string output;
   };
   const auto options = std::make_shared<Options>();
@@ -329,12 +442,14 @@ Run declare_census_merge(OptionTable& table) {
            "the folders that census enumerate --work wrote, or the files of records in them")
       .required();
   add_tetrahedra(table, options->tetrahedra, true);
+  table.add("--brief", options->brief, "the folders were written with --brief");
   table.add("-o,--output", options->output, "write a census table to this file (the format of census/*.json)")
       .value_name("FILE");
   return [options](const Context& context) {
     std::vector<std::unique_ptr<format::Records>> all;
     for (const std::string& folder : options->folders)
-      all.push_back(open_work(located(folder), options->tetrahedra, format::Records::Open::read));
+      all.push_back(
+          open_work(located(folder), options->tetrahedra, options->brief, format::Records::Open::read));
     catalogue::WorkOptions how;
     how.threads = context.threads;
     how.share.reset();

@@ -41,6 +41,10 @@ bool is_binary_medit(std::string_view text);
 /// Text. The references of triangles and tetrahedra are their tags, those of vertices 0. O(size).
 std::string write_medit(const Soup& soup);
 
+/// The same as bytes in the order of this machine: version 2, where positions in the file have 4 bytes, or
+/// version 3, with 8 of them, from 2 GB on. O(size).
+std::string write_meshb(const Soup& soup);
+
 /// Hexahedra alone: vertices bottom counterclockwise from above, then top likewise, which is the order of
 /// Gmsh too. `references` are one for each, or none: 0. Throws PreconditionError for an index out of range,
 /// and for other numbers of references. O(size).

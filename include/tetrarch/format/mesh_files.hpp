@@ -5,7 +5,8 @@
 ///
 /// | format | extension  | holds       | begins with                            |
 /// | ------ | ---------- | ----------- | -------------------------------------- |
-/// | medit  | .mesh .meshb | both      | MeshVersionFormatted, or 1 as bytes    |
+/// | medit  | .mesh      | both        | MeshVersionFormatted                   |
+/// | meshb  | .meshb     | both        | the integer 1 as bytes                 |
 /// | gmsh   | .msh       | both        | $MeshFormat, $Comments or $NOD         |
 /// | tetgen | .node .ele | both        | numbers: known by its extension only   |
 /// | vtk    | .vtk       | both        | # vtk DataFile                         |
@@ -28,9 +29,9 @@
 
 namespace tetrarch::format {
 
-enum class MeshFormat : std::uint8_t { medit, gmsh, tetgen, vtk, vtu, obj, off, stl, ply, json };
+enum class MeshFormat : std::uint8_t { medit, meshb, gmsh, tetgen, vtk, vtu, obj, off, stl, ply, json };
 
-/// "medit", "gmsh", "tetgen" and so on.
+/// "medit", "meshb", "gmsh", "tetgen" and so on.
 std::string name_of(MeshFormat format);
 /// By the extension, in any case; none for others than those above.
 std::optional<MeshFormat> mesh_format_for_extension(std::string_view path);

@@ -13,14 +13,16 @@
 ///          '----'
 ///            1
 ///
-/// Handle by handle, in the surface cut open so far, whose boundary is one curve of finished commutators:
-///   1. The discrete cut locus of a corner x between two commutators: grow a disk from x, prune the edges
-///      where it meets itself; arcs remain. Of all such corners the one where step 2 is cheapest.
-///   2. A shortest loop a from x across one of them that is *linked* with another (they alternate on the
-///      boundary of the disk), so that a does not cut the surface in two.
-///   3. A shortest path b from the copy of x that lies on a's own boundary curve to one of the others. The
-///      boundary word W becomes W b a b^-1 a^-1: the next commutator.
-/// Loops that would touch are kept apart by splitting edges.
+///   1. Each handle is opened by two short loops through a point of its own, near it: a ball of triangles
+///      around it is all that is looked at (mesh/handles.hpp in the sources).
+///   2. What is left is a sphere with g holes. A tree of shortest paths leads from the base to all of them; on
+///      each of its ways the four ends of a handle's loops move to the base, side by side (mesh/tails.hpp).
+/// The boundary of the disk then goes around the tree, past one commutator after the other. Where loops pass
+/// through one triangle, they cross its edges at new vertices.
+///
+/// Loops that are all at one base are long: where a closed curve separates m handles from it, they cross that
+/// curve 4 m times at least, and 4 m times is what they do. On a chain of g handles that makes about g^2
+/// crossings, on a wide surface g^1.5, whatever the way.
 /// Source: Yin, section 7.1 (what is to be found; it does not say how); Erickson and Har-Peled, "Optimally
 /// cutting a surface into a disk" (2004) (the cut locus).
 
@@ -42,8 +44,8 @@ struct CanonicalLoops {
 /// Marks canonical loops 1 to 2g on a closed oriented surface without marks, through vertex `base`, or
 /// through a vertex with short loops if there is no `base`. Throws `PreconditionError` unless the surface is
 /// connected, closed, unmarked and of positive genus, and no mates are turned. Reports handles, and stops
-/// between searches. Some five searches for each handle, O(g n log n) for n triangles in the end; n itself
-/// grows by up to some ten splits for each triangle and ten handles.
+/// between searches. O((n + result) log n) for n triangles where handles are found in balls of bounded size;
+/// O(g n log n) at worst.
 CanonicalLoops mark_canonical_loops(MarkedSurface& surface, int base = -1, const Progress& progress = {});
 
 /// The boundary word of `cut_open(surface)`: one mark for each run of equal marks, from the first run of the

@@ -29,6 +29,8 @@ using Loop = std::vector<SideEnd>;
 std::vector<double> side_lengths(const MarkedSurface& surface);
 /// Of one side.
 double side_length(const MarkedSurface& surface, Side s);
+/// The distance of the centers of the triangles on the two sides of an edge inside, or 1 without points.
+double dual_length(const MarkedSurface& surface, Side s);
 
 /// Marks the edges that are not `crossed` (a flag for each side), except those of dangling branches, which
 /// end neither on the boundary nor at other branches. Each maximal arc between branching points or the

@@ -11,6 +11,7 @@
 #include "tetrarch/mesh/surface.hpp"
 
 #include <array>
+#include <cstdint>
 #include <vector>
 
 namespace tetrarch::mesh {
@@ -21,6 +22,12 @@ struct Split {
   std::array<int, 3> of{-1, -1, -1}; ///< the third is -1 for an edge
 };
 
+/// One change of the triangles, so that it can be done again elsewhere.
+struct Edit {
+  enum class Kind : std::uint8_t { split_edge, split_face, flip_edge } kind = Kind::split_edge;
+  Side side; ///< any of the triangle, for `split_face`
+};
+
 /// A surface with curves on it along which it is cut.
 struct MarkedSurface {
   Surface surface;
@@ -28,6 +35,7 @@ struct MarkedSurface {
   std::vector<int> mark;                     ///< of each side
   std::vector<int> origin;                   ///< of each triangle, the one of the first surface it lies in
   std::vector<Split> splits;                 ///< in order; origins and splits together are the history
+  std::vector<Edit> edits;                   ///< in order: what the three functions below did
 
   MarkedSurface() = default;
   /// Nothing marked, nothing split.
@@ -45,6 +53,10 @@ void set_mark(MarkedSurface& surface, Side s, int m);
 int split_edge(MarkedSurface& surface, Side s);
 /// As `Surface::split_face`; the new vertex is the center. O(1).
 int split_face(MarkedSurface& surface, int triangle);
+
+/// Does `edit` to a surface whose triangles have other numbers, `name`, and adds the names of new triangles,
+/// which go to the end. O(1).
+void repeat(MarkedSurface& surface, const Edit& edit, std::vector<int>& name);
 
 /// Turns the triangles of sign -1 over: corners 1 and 2 are exchanged, and so are sides 1 and 2. O(n).
 void turn_triangles(MarkedSurface& surface, const std::vector<int>& sign);

@@ -38,6 +38,11 @@ public:
   /// none). Vertices are numbered by first corner. Throws `PreconditionError` if mates are not mutual. O(n).
   explicit Surface(const Table<Side, Side>& mate, std::vector<char> turned = {});
 
+  /// From both: corners on vertices 0 .. vertices-1 and the mate of each side, none turned. A triangle may
+  /// have a corner twice. Throws `PreconditionError` unless mates are mutual and join the same two vertices,
+  /// one running against the other. O(n).
+  Surface(int vertices, std::vector<Triangle> triangles, const Table<Side, Side>& mate);
+
   int triangle_count() const { return static_cast<int>(triangles_.size()); }
   int side_count() const { return 3 * triangle_count(); }
   int vertex_count() const { return vertices_; }
