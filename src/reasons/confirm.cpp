@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "quotients.hpp"
 #include "surface_reason.hpp"
+#include "tetrarch/algebra/group.hpp"
 #include "tetrarch/core/error.hpp"
 #include "tetrarch/core/signature.hpp"
 #include "tetrarch/core/skeleton.hpp"

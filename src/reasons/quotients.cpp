@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "quotients.hpp"
+
 #include "span.hpp"
+#include "tetrarch/algebra/covers.hpp"
 
 #include <algorithm>
 #include <array>

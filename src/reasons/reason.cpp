@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "tetrarch/reasons/reason.hpp"
+#include "tetrarch/algebra/group.hpp"
 
 #include "group_reason.hpp"
 #include "surface_reason.hpp"

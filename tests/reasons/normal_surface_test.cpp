@@ -101,8 +101,8 @@ TEST_CASE("Surfaces prove what they are known to prove") {
     damaged.surface->euler -= 2;
     CHECK_FALSE(reasons::what_is_wrong(damaged).empty());
   }
-  // The tori in the Poincare sphere and in the Weeks manifold compress, and knots that are hyperbolic have none: no
-  // the Weeks manifold compress: they prove nothing.
+  // The tori in the Poincare sphere and in the Weeks manifold compress, and knots that are hyperbolic have
+  // none: no the Weeks manifold compress: they prove nothing.
   for (const char* signature : {"cPcbbbiht", "cPcbbbadu", "fvPQcdecedekrsnrs", "jLvAMPQadfgghhiiijaqgjqxims"})
     CHECK_FALSE(why_not_hyperbolic(from_signature(signature), surfaces));
 }
