@@ -41,7 +41,8 @@ std::vector<std::string> names_where(Holds holds) {
 const std::vector<SpatialGraph>& stored_graphs() {
   static const std::vector<SpatialGraph> graphs = [] {
     std::vector<SpatialGraph> all;
-    for (const Json& j : Json::parse(detail::embedded_graphs()).at("graphs")) all.push_back(graph_of(j));
+    const Json table = Json::parse(detail::embedded_graphs());
+    for (const Json& j : table.at("graphs")) all.push_back(graph_of(j));
     return all;
   }();
   return graphs;

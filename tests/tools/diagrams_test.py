@@ -64,7 +64,7 @@ class Exteriors(InFolder):
         # 5_1 and 6_4: one exterior, without a structure.
         for name in "hk5_1", "hk6_4":
             found = run_json("census", "identify", name)[1]
-            self.assertEqual((found["name"], found["by"]), ("exterior of hk5_1, hk6_4", "triangulation"))
+            self.assertEqual((found["name"], found["by"]), ("exterior of hk5_1, hk6_4, theta6_11, theta6_15, handcuff6_2", "triangulation"))
         self.assertEqual(run("exterior", "hk7_1").returncode, 2)
 
     def test_pairs(self):

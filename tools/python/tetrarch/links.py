@@ -86,7 +86,7 @@ class SpatialGraph:
     >>> import tetrarch as tt
     >>> graph = tt.SpatialGraph("hk5_3")
     >>> graph, graph.exterior().identify().name
-    (SpatialGraph(7 crossings, 2 vertices, 1 component), 'fmp2_8')
+    (SpatialGraph(5 crossings, 2 vertices, 1 component), 'fmp2_8')
     """
 
     def __init__(self, what: Any = None, *, points: Any = None, segments: Any = None, seed: int = 1,
