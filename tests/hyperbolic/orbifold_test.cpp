@@ -240,6 +240,16 @@ TEST_CASE("closed manifolds are solved by the homotopy", "[orbifold][homotopy]")
   }
 }
 
+// One of Regina's census whose own triangulation has a tetrahedron turned over, and none that is flat.
+TEST_CASE("a tetrahedron turned over counts negatively", "[orbifold][homotopy]") {
+  const OrbifoldStructure s = solve(from_signature("nLLLwALMQkcegffhlimklmmlhthanctnqrrfnj"), {});
+  REQUIRE(s.outcome == OrbifoldOutcome::turned_over);
+  CHECK(s.negative() == 1);
+  CHECK(s.flat() == 0);
+  CHECK(std::abs(s.volume - 2.2726318635865582) < 1e-11);
+  CHECK(s.residual < 1e-11);
+}
+
 // S^3, lens spaces and the like have no hyperbolic structure; found by hand: their groups are finite or
 // cyclic.
 TEST_CASE("closed manifolds without a structure are not given one", "[orbifold][homotopy]") {
