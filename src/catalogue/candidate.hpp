@@ -32,14 +32,16 @@ struct Candidate {
   bool has_cells = false; ///< and so a record
   bool flat = false;      ///< some cell is no tetrahedron
   Proofs proofs;
-  std::string reason; ///< of a no; or what is known where nothing is proved
+  std::string reason;   ///< of a no, by its kind; or what is known where nothing is proved
+  std::string evidence; ///< of a no: what was found
   Manifold manifold;  ///< without its name; where `has_cells`
 };
 
 /// Solves the gluing itself, keeping dihedral angles or not. A structure that is found is certified, its
 /// cells are found and proved.
 Candidate examine(const std::string& gluing, bool angles, const Progress& progress);
-/// What else is tried with a gluing that carries no structure: other triangulations.
+/// What else is tried with a gluing that carries no structure: other triangulations, and reasons why there is
+/// none, which are checked at once.
 Candidate settle(const std::string& gluing, bool angles, const Progress& progress);
 
 /// Candidates as one line.

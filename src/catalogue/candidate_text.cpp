@@ -20,6 +20,7 @@ constexpr std::array<std::string_view, 4> structures{"here", "elsewhere", "none"
 Json to_json(const Candidate& c) {
   Json item{{"signature", c.signature}, {"structure", structures[static_cast<std::size_t>(c.structure)]}};
   if (!c.reason.empty()) item["reason"] = c.reason;
+  if (!c.evidence.empty()) item["evidence"] = c.evidence;
   if (c.flat) item["flat"] = true;
   if (c.proofs.bits > 0) item["bits"] = c.proofs.bits;
   if (c.proofs.bits > 0) item["width"] = c.proofs.width;
@@ -39,6 +40,7 @@ Candidate from_json(const Json& item) {
   if (name == structures.end()) throw InputError("this is no outcome");
   c.structure = static_cast<Structure>(name - structures.begin());
   c.reason = item.value("reason", "");
+  c.evidence = item.value("evidence", "");
   c.flat = item.value("flat", false);
   c.proofs.bits = item.value("bits", 0);
   c.proofs.width = item.value("width", 0.0);

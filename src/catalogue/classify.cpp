@@ -114,7 +114,7 @@ private:
     std::vector<std::string> signatures;
     for (const Candidate& c : *unit)
       if (c.structure == Structure::unknown) signatures.push_back(c.signature);
-    auto settled = made_once(k, key(k) + ".again", signatures, detail::settle);
+    auto settled = made_once(k, key(k) + ".no", signatures, detail::settle);
     if (!settled) return unit.reset();
     auto next = settled->begin();
     for (Candidate& c : *unit)
@@ -172,11 +172,6 @@ void sort_by_signature(std::vector<Unsettled>& list) {
 }
 
 } // namespace
-
-std::string name_prefix(int tetrahedra) {
-  constexpr int largest_published = 4;
-  return (tetrahedra <= largest_published ? "fmp" : "tet") + std::to_string(tetrahedra) + "_";
-}
 
 Classification classify_manifolds(int tetrahedra, const WorkOptions& options, const Progress& progress) {
   if (tetrahedra < 1) throw PreconditionError("a classification needs at least one tetrahedron");

@@ -101,7 +101,7 @@ void improve(Fitted& fitted, const Targets& targets, const Progress& progress) {
     return fitted.home[v].kind == Home::Kind::inside ? p : targets.place(fitted.home[v], p, &normals[v]).at;
   };
   product::smooth(mesh, fixed, options, progress);
-  land(mesh, fitted.home, targets);
+  land(mesh, fitted.home, targets, progress);
   fitted.quality = product::quality(mesh);
 }
 
@@ -138,11 +138,11 @@ Fitted best_fit(const SizedHexahedra& cells, const Match& match, double edge, co
   return *std::move(best);
 }
 
-Filling measured(const product::Solid& solid, Fitted fitted, double edge) {
+Filling measured(const product::Solid& solid, Fitted fitted, double edge, const Progress& progress) {
   Filling result;
   result.mesh = std::move(fitted.hexahedra.mesh);
   result.quality = std::move(fitted.quality);
-  result.deviation = deviation(solid, result.mesh);
+  result.deviation = deviation(solid, result.mesh, progress);
   result.volume = product::volume(result.mesh);
   result.solid_volume = product::volume(solid);
   result.edge = edge;
@@ -165,11 +165,11 @@ std::optional<Filling> filled_with(const product::Solid& solid, double edge, con
   gently.ends_there = false;
   fit(*cells, unmatched(cells->mesh).home, targets, gently, progress);
   const auto made = [&](const Match& match, const Targets& on) {
-    Filling filling = measured(solid, best_fit(*cells, match, edge, on, progress), edge);
+    Filling filling = measured(solid, best_fit(*cells, match, edge, on, progress), edge, progress);
     filling.ridges_of_solid = static_cast<int>(all.ridges.size());
     return filling;
   };
-  if (const auto match = matched(cells->mesh, solid, targets)) {
+  if (const auto match = matched(cells->mesh, solid, targets, progress)) {
     Filling filling = made(*match, targets);
     filling.ridges = filling.ridges_of_solid;
     return filling;
@@ -180,7 +180,7 @@ std::optional<Filling> filled_with(const product::Solid& solid, double edge, con
     const Targets fewer(solid, features(solid, {.sharp = sharper, .least_extent = 2 * edge}));
     const int ridges = static_cast<int>(fewer.features().ridges.size());
     if (ridges == 0) break;
-    if (const auto match = matched(cells->mesh, solid, fewer)) {
+    if (const auto match = matched(cells->mesh, solid, fewer, progress)) {
       Filling filling = made(*match, fewer);
       filling.ridges = ridges;
       return filling;

@@ -127,7 +127,8 @@ void fit(SizedHexahedra& hexahedra, const std::vector<Home>& home, const Targets
       problem.pulls.push_back(
           {static_cast<int>(v), {freedom_of(home[v].kind), place.direction}, place.at, weight});
     }
-    const std::vector<Vector> way = reach(mesh, samples, unnoticed * size, longest_way * size);
+    const std::vector<Vector> way =
+        reach(mesh, samples, unnoticed * size, longest_way * size, progress.silent());
     for (std::size_t v = 0; v < home.size(); ++v)
       if (way[v] != Vector{} && (home[v].kind == Home::Kind::surface || home[v].kind == Home::Kind::patch))
         problem.pulls.push_back({static_cast<int>(v),
@@ -148,10 +149,11 @@ void fit(SizedHexahedra& hexahedra, const std::vector<Home>& home, const Targets
     }
     was_good = least >= spoiled;
   }
-  if (options.ends_there) land(mesh, home, targets);
+  if (options.ends_there) land(mesh, home, targets, progress);
 }
 
-int land(product::HexMesh& mesh, const std::vector<Home>& home, const Targets& targets) {
+int land(product::HexMesh& mesh, const std::vector<Home>& home, const Targets& targets,
+         const Progress& progress) {
   constexpr int most_halvings = 5;
   constexpr double least = 0.2; // what a hexahedron must keep, unless it had less
   const std::vector<Vector> normals = surface_normals(mesh);
@@ -162,6 +164,7 @@ int land(product::HexMesh& mesh, const std::vector<Home>& home, const Targets& t
   const product::HexQuality before = product::quality(mesh);
   std::vector<int> halvings(start.size());
   for (bool is_done = false; !is_done;) {
+    progress.step("fitting");
     is_done = true;
     for (std::size_t v = 0; v < start.size(); ++v)
       mesh.points[v] = halvings[v] > most_halvings ? start[v]

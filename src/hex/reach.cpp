@@ -50,7 +50,7 @@ std::vector<SurfaceSample> surface_samples(const Targets& targets, double spacin
 }
 
 std::vector<Vector> reach(const product::HexMesh& mesh, const std::vector<SurfaceSample>& samples,
-                          double least, double most) {
+                          double least, double most, const Progress& progress) {
   std::vector<std::array<int, 3>> corners;
   std::vector<std::array<Point, 3>> triangles;
   for (const SurfaceSquare& s : surface_of(mesh)) {
@@ -65,7 +65,9 @@ std::vector<Vector> reach(const product::HexMesh& mesh, const std::vector<Surfac
   const NearestTriangle tree(std::move(triangles));
   std::vector<Vector> way(mesh.points.size(), Vector{});
   std::vector<double> weight(mesh.points.size());
+  std::size_t asked = 0;
   for (const SurfaceSample& sample : samples) {
+    if (++asked % 1024 == 0) progress.step("fitting");
     const Foot foot = tree.nearest(sample.at, &sample.normal);
     if (foot.triangle < 0 || !(foot.distance > least)) continue;
     const std::array<double, 3> share = weights_at(foot.at, tree.corners(foot.triangle));

@@ -11,6 +11,7 @@
 #include "tetrarch/identify/recognise.hpp"
 #include "tetrarch/moves/simplify.hpp"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <optional>
@@ -27,8 +28,7 @@ struct Known {
 };
 
 /// What has this isometry signature; nothing if no table holds it.
-std::optional<Known> known_manifold(const std::string& isometry_signature,
-                                    const std::vector<catalogue::Manifold>& own_table) {
+std::optional<Known> known_manifold(const std::string& isometry_signature, const IdentifyOptions& options) {
   for (const detail::Famous& f : detail::famous)
     if (f.isometry_signature == isometry_signature) return Known{std::string(f.name), {}};
   if (auto m = catalogue::find_by_isometry_signature(isometry_signature)) {
@@ -37,15 +37,21 @@ std::optional<Known> known_manifold(const std::string& isometry_signature,
   }
   if (const auto cusped = catalogue::find_cusped_by_isometry_signature(isometry_signature))
     return Known{std::string(cusped->name), {}};
-  for (const catalogue::Manifold& m : own_table)
-    if (m.canonical_signature == isometry_signature) return Known{m.name.empty() ? m.signature : m.name, m};
+  const auto called = [](const catalogue::Manifold& m) { return m.name.empty() ? m.signature : m.name; };
+  for (const catalogue::Manifold& m : options.table)
+    if (m.canonical_signature == isometry_signature) return Known{called(m), m};
+  if (options.database)
+    if (const auto m = options.database->by_isometry_signature(isometry_signature))
+      return Known{called(*m), m};
   return std::nullopt;
 }
 
 /// The number of tetrahedra of the last one.
 int largest_table() {
-  const std::vector<int> tables = catalogue::stored_tables();
-  return tables.empty() ? 0 : tables.back();
+  std::vector<int> tables = catalogue::stored_tables();
+  if (const catalogue::Database* file = catalogue::installed_database())
+    for (const int n : file->tables()) tables.push_back(n);
+  return tables.empty() ? 0 : *std::max_element(tables.begin(), tables.end());
 }
 
 /// 20000 as "20,000".
@@ -125,7 +131,7 @@ private:
   }
 
   void look_up(std::string isometry_signature) {
-    std::optional<Known> known = known_manifold(isometry_signature, options_.table);
+    std::optional<Known> known = known_manifold(isometry_signature, options_);
     if (!known) {
       say("isometry signature " + isometry_signature + " is in no table: volume " +
           volume_text(*out_.volume) + ", tables hold manifolds with geodesic boundary of up to " +

@@ -12,6 +12,7 @@
 #include <array>
 #include <charconv>
 #include <numeric>
+#include <set>
 
 namespace tetrarch::identify {
 namespace {
@@ -192,13 +193,16 @@ std::optional<Named> find_named(std::string_view name) {
 
 std::vector<std::string> listed_names() {
   std::vector<std::string> names = catalogue::stored_names();
+  std::set<std::string_view> aliases;
   for (const detail::Famous& f : detail::famous) {
     names.emplace_back(f.name);
     for (const std::string_view alias : f.aliases)
-      if (!alias.empty()) names.emplace_back(alias);
+      if (!alias.empty() && aliases.insert(alias).second) names.emplace_back(alias);
   }
   for (const auto& [name, signature] : simple) names.emplace_back(name);
-  for (int k = 0; k < catalogue::cusped_count(); ++k) names.emplace_back(catalogue::cusped_at(k).name);
+  for (int k = 0; k < catalogue::cusped_count(); ++k)
+    if (const std::string_view name = catalogue::cusped_at(k).name; !aliases.contains(name))
+      names.emplace_back(name);
   return names;
 }
 

@@ -76,6 +76,8 @@ std::optional<Reason> search(const Triangulation& tri, const ReasonOptions& opti
     if (auto reason = reason_of_surfaces(tri, options, progress)) return reason;
   // Other triangulations present the same group otherwise.
   constexpr int moves_each = 20;
+  constexpr int most_changed = 60; // tetrahedra: the groups of larger ones take a second each
+  if (tri.size() > most_changed) return std::nullopt;
   SplitMix64 random(options.seed);
   moves::Complex complex(tri);
   for (int k = 0; k < options.changes; ++k) {

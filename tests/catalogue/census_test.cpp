@@ -106,6 +106,19 @@ int units_with_gluings(int first, int of) {
 
 } // namespace
 
+TEST_CASE("every gluing of three tetrahedra is settled", "[census]") {
+  const Classification three = classify_manifolds(3);
+  CHECK(three.tally.gluings == 170);
+  CHECK(three.tally.geometric == 167);
+  CHECK(three.tally.certified == 167);
+  CHECK(three.tally.proved == 167);
+  // dLQacccjcog, dLQacccjjwc and dLQacccjkfr: Frigerio, Martelli and Petronio have no further manifold.
+  CHECK(three.tally.none == 3);
+  CHECK(three.open.empty());
+  CHECK(three.stuck.empty());
+  CHECK(three.unproved.empty());
+}
+
 TEST_CASE("units that were kept, shared out and put together make the same table", "[census]") {
   std::map<std::string, std::string> kept;
   std::mutex mutex;
@@ -134,7 +147,7 @@ TEST_CASE("units that were kept, shared out and put together make the same table
   SECTION("a unit of other gluings does not count") {
     std::vector<std::string> keys; // of units of three tetrahedra
     for (const auto& [key, text] : kept)
-      if (key.starts_with("3.") && !key.ends_with("again")) keys.push_back(key);
+      if (key.starts_with("3.") && !key.ends_with("no")) keys.push_back(key);
     REQUIRE(keys.size() > 1);
     const std::string right = kept[keys[0]];
     for (const std::string& wrong :
@@ -174,6 +187,9 @@ TEST_CASE("four tetrahedra make 5,033 manifolds", "[census][slow]") {
   // arguments R, F, B as often as mathematics says (counted by a prototype in other arithmetic: 74, 1, 9
   // manifolds).
   CHECK(four.unproved.empty());
+  // Every gluing is settled: 168 are proved to carry none, and 32 are manifolds of three tetrahedra.
+  CHECK(four.open.empty());
+  CHECK(four.tally.gluings == four.tally.geometric + four.tally.elsewhere + four.tally.none);
   CHECK(four.tally.certified == four.tally.geometric + four.tally.elsewhere);
   CHECK(four.tally.proved == four.tally.certified);
   CHECK(four.tally.flat == 84);

@@ -14,6 +14,7 @@
 
 #include <catch2/catch.hpp>
 #include <numeric>
+#include <set>
 
 using namespace tetrarch;
 using namespace tetrarch::catalogue;
@@ -125,5 +126,6 @@ TEST_CASE("every listed name is found", "[names]") {
   // The tables of 8, 151 and 5,033 manifolds, six famous cusped ones with some names each, eight others, and
   // the cusped census.
   CHECK(names.size() > 8 + 151 + 5033 + 6 + 8 + 6075);
+  CHECK(std::set<std::string>(names.begin(), names.end()).size() == names.size();
   for (std::size_t k = 0; k < names.size(); k += 17) CHECK(find_named(names[k]));
 }

@@ -30,7 +30,7 @@ class Names(InFolder):
         self.assertEqual(run_json("info", name)[1]["signature"], "dLQbcccdero")
 
     def test_what_is_no_name_gets_one_line_with_near_names(self):
-        for text, near in (("m0", "m000"), ("m005", "m004"), ("fmp3_152", "fmp3_15"), ("T3", "T^3")):
+        for text, near in (("m0", "m000"), ("m0005", "m005"), ("fmp3_152", "fmp3_15"), ("T3", "T^3")):
             done = run("info", text)
             self.assertEqual((done.returncode, done.stdout, done.stderr.count("\n")), (2, "", 1), text)
             self.assertIn("no file, no name of a manifold and no isomorphism signature", done.stderr)

@@ -4,17 +4,21 @@
 
 Usage: program_test.py PROGRAM SOURCE_DIR
 """
+import contextlib
 import hashlib
 import json
+import lzma
 import math
 import os
 import re
 import signal
+import sqlite3
 import subprocess
 import sys
 import tempfile
 import time
 import unittest
+import unittest.mock
 from fractions import Fraction
 
 from diagrams_test import *  # noqa: F401,F403: knots, links and graphs in space
@@ -24,7 +28,7 @@ from inputs_test import *  # noqa: F401,F403: what stands for a triangulation
 from meshes_test import *  # noqa: F401,F403: meshes from elsewhere, and mending them
 from marked_test import *  # noqa: F401,F403: cone angles, parabolic meridians, closed manifolds
 from options_test import *  # noqa: F401,F403: the tests of options that stand nowhere else
-from running import PROGRAM, InFolder, SOURCE, medit, run, run_json, unused_options
+from running import INSTRUMENTED, PROGRAM, InFolder, SOURCE, medit, run, run_json, unused_options
 
 
 class Info(unittest.TestCase):
@@ -339,12 +343,58 @@ class Identify(unittest.TestCase):
             self.assertEqual(run("census", "list", *options).returncode, 2, options)
         self.assertEqual(run_json("census", "identify", "eLAkbcbdddhjhk")[1]["name"], "fmp4_1")
 
+    def test_tables_in_one_file(self):
+        with tempfile.TemporaryDirectory() as folder:
+            file, lines = os.path.join(folder, "census.sqlite"), os.path.join(folder, "three.jsonl")
+            self.assertEqual(run("census", "enumerate", "--tetrahedra", "3", "--brief", "-o", lines).returncode, 0)
+            packed = os.path.join(folder, "three.jsonl.xz")
+            with open(lines, "rb") as plain, lzma.open(packed, "wb") as xz:
+                xz.write(plain.read())
+            status, made = run_json("census", "table", packed, f"{SOURCE}/census/fmp4.json", "-o", file)
+            self.assertEqual((status, made["manifolds"]), (0, 151 + 5033))
+            # Others read it: Python's own SQLite counts as Frigerio, Martelli and Petronio do.
+            with contextlib.closing(sqlite3.connect(file)) as db:
+                rows = db.execute("select boundary, count(*) from manifold where tetrahedra = 4 and cusps = 0 group by boundary")
+                self.assertEqual(dict(rows), {"[2]": 628, "[3]": 2034, "[4]": 2340})
+                self.assertEqual(db.execute("pragma integrity_check").fetchall(), [("ok",)])
+            for options, count in ((("--tetrahedra", "4", "--boundary", "2", "--cusps", "0"), 628), (("--volume", "10.42.."), 74)):
+                for table in (file, packed, lines):
+                    if table == file or "--tetrahedra" not in options:
+                        self.assertEqual(run_json("census", "list", "--table", table, "--count", *options)[1]["count"], count)
+            brief = run_json("census", "list", "--table", file)[1]["manifolds"]
+            for entry, stored in zip(brief, run_json("census", "list")[1]["manifolds"]):
+                del stored["dihedral_angles"]
+                self.assertEqual(entry, stored)
+            self.assertEqual(run_json("census", "show", "fmp3_17", "--table", file)[1], brief[16])
+            self.assertEqual(run_json("census", "show", "fmp3_17", "--table", packed)[1], brief[16])
+            self.assertEqual(run("census", "show", "fmp2_1", "--table", file).returncode, 2)
+            self.assertEqual(run_json("census", "identify", "fmp3_17", "--table", file)[1]["name"], "fmp3_17")
+            for bad in (("census", "table", lines, lines, "-o", os.path.join(folder, "x")), ("census", "table", file, "-o", file),
+                        ("census", "list", "--table", os.path.join(folder, "none")),
+                        ("census", "table", lines, "-o", os.path.join(folder, "none", "x"))):
+                done = run(*bad)
+                self.assertEqual((done.returncode, done.stderr.count("\n")), (2, 1), bad)
+            self.assertEqual(sorted(os.listdir(folder)), ["census.sqlite", "three.jsonl", "three.jsonl.xz"])
+
+    def test_gluings_come_as_they_are_found(self):
+        job = subprocess.Popen([PROGRAM, "census", "gluings", "--tetrahedra", "7"], stdout=subprocess.PIPE)  # hours
+        self.assertEqual([job.stdout.readline()[:1] for _ in range(100)], [b"h"] * 100)
+        with open(f"/proc/{job.pid}/status", encoding="ascii") as status:
+            peak = next(int(line.split()[1]) for line in status if line.startswith("VmHWM"))
+        job.kill()
+        job.communicate()
+        if not INSTRUMENTED:
+            self.assertLess(peak, 400_000)  # kB
+
     def test_ones_own_table(self):
         with tempfile.TemporaryDirectory() as folder:
             table = os.path.join(folder, "own.json")
             with open(f"{SOURCE}/census/fmp3.json", encoding="utf-8") as file:
                 text = json.load(file)
-            # A manifold of five tetrahedra that no table holds (Frigerio, Martelli, Petronio stop at four).
+            # A manifold of five tetrahedra that no table holds: one's own file is the only one.
+            small = os.path.join(folder, "small.sqlite")
+            self.assertEqual(run("census", "table", f"{SOURCE}/census/fmp3.json", "-o", small).returncode, 0)
+            self.enterContext(unittest.mock.patch.dict(os.environ, TETRARCH_CENSUS=small))
             found = run_json("census", "identify", FIVE)[1]
             self.assertIsNone(found["name"])
             entry = {**text["manifolds"][0], "name": "mine", "signature": found["signature"],
@@ -379,6 +429,7 @@ class Identify(unittest.TestCase):
                     job.wait()
                     killed += 1
             self.assertGreater(killed, 0)
+            self.assertEqual(run(*enumerate_in("a", "--resume")[1:], "-o", table).returncode, 0)  # where all were killed
             with open(table, "rb") as new, open(f"{SOURCE}/census/fmp3.json", "rb") as old:
                 expected = old.read()
                 self.assertEqual(new.read(), expected)
@@ -393,6 +444,12 @@ class Identify(unittest.TestCase):
             with open(table, "rb") as new:
                 self.assertEqual(new.read(), expected)
             self.assertIn("missing from these folders", run("census", "merge", *folders[1:], "--tetrahedra", "3").stderr)
+            # Records without angles are others: they are merged as such alone.
+            self.assertEqual(run(*enumerate_in("brief", "--brief")[1:]).returncode, 0)
+            self.assertEqual(run("census", "merge", os.path.join(folder, "brief"), "--tetrahedra", "3").returncode, 2)
+            merged = run("census", "merge", os.path.join(folder, "brief"), "--tetrahedra", "3", "--brief").stdout
+            self.assertEqual(len(merged.splitlines()), 151)
+            self.assertNotIn("angles", merged)
             brief = run("census", "enumerate", "--tetrahedra", "2", "--brief").stdout
             self.assertNotIn("angles", brief)
             for bad in (("--shard", "0/3", "--work", folder), ("--shard", "4/3", "--work", folder), ("--shard", "1", "--work", folder),
@@ -1598,6 +1655,15 @@ class Slit(InFolder):
                    for a, b, c in faces) / 2
         self.assertAlmostEqual(area / self.area(), 1, delta=0.03)
         self.assertIn("--balance", self.refused(self.ring, "--domain", "free", "--balance"))
+
+    def test_needles_at_slit_ends(self):
+        for domain in ("parallel", "concentric"):
+            _, made = run_json("slit", self.ring, "--domain", domain)
+            ends = made["slit_ends"]
+            self.assertGreater(ends["max_quasiconformal_before"], 10)
+            self.assertLess(ends["max_quasiconformal"], 5)
+            self.assertLess(made["max_quasiconformal"], ends["max_quasiconformal_before"])
+            self.assertEqual(made["flipped"], 0)
 
     def test_rectangles(self):
         path = self.path("floor.svg")

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include "census.hpp"
 #include "command.hpp"
 #include "samples.hpp"
 #include "text.hpp"
@@ -25,18 +26,6 @@ namespace {
 
 using catalogue::Manifold;
 using catalogue::Validation;
-
-Json manifold_json(const Manifold& m) {
-  Json j{{"name", nullptr}, {"tetrahedra", m.tetrahedra}};
-  j.update(Json::parse(json_text(m)));
-  return j;
-}
-
-/// A stored volume rounded to twelve decimals.
-std::string shortened(const std::string& volume) {
-  constexpr int decimals = 12;
-  return fixed(format::parse_double(volume).value_or(0), decimals);
-}
 
 Json validation_json(const Validation& v, double seconds) {
   Json j;
@@ -97,15 +86,6 @@ Result run_validation(int tetrahedra, const Context& context) {
   result.text = validation_text(v, seconds);
   if (!v.failures.empty()) result.status = Status::proved_no;
   return result;
-}
-
-void add_tetrahedra(OptionTable& table, int& tetrahedra, bool required) {
-  Option& option = table.add("--tetrahedra", tetrahedra, "number of tetrahedra")
-                       .in_range(1, enumeration::max_gluing_tetrahedra);
-  if (required)
-    option.required();
-  else
-    option.with_default();
 }
 
 /// "2/4": the second of four.
@@ -216,10 +196,12 @@ Result classification_result(const catalogue::Classification& found, int tetrahe
       result.warnings.push_back(output + " was not written: this is one of several shards");
     return result;
   }
+  const bool lines = format::has_extension(output, ".jsonl");
   if (output.empty())
     for (const Manifold& m : found.manifolds) result.text += manifold_json(m).dump() + "\n";
   else {
-    result.files.push_back({output, catalogue::write_table(tetrahedra, found.manifolds)});
+    result.files.push_back({output, lines ? write_table_lines(tetrahedra, found.manifolds)
+                                          : write_table(tetrahedra, found.manifolds)});
     result.json = summary_json(found);
     result.text = summary_of(found) + counted(static_cast<long long>(found.manifolds.size()), "manifold") +
                   " written to " + output + "\n";
@@ -228,158 +210,7 @@ Result classification_result(const catalogue::Classification& found, int tetrahe
   return result;
 }
 
-std::string without_blanks(std::string text) {
-  std::erase(text, ' ');
-  return text;
-}
-
-/// "3,2": genera, decreasing. Nothing for no text.
-std::optional<std::vector<int>> genera_in(const std::string& text) {
-  if (text.empty()) return std::nullopt;
-  constexpr int largest = 1000;
-  std::vector<int> genera;
-  for (std::size_t at = 0; at <= text.size();) {
-    const std::size_t comma = std::min(text.find(',', at), text.size());
-    const auto genus = format::parse_integer(std::string_view(text).substr(at, comma - at));
-    if (!genus || *genus < 2 || *genus > largest)
-      throw InputError("--boundary " + in_quotes(text) + ": expected genera from 2 on, such as 2 or 3,2");
-    genera.push_back(static_cast<int>(*genus));
-    at = comma + 1;
-  }
-  std::sort(genera.begin(), genera.end(), std::greater<>());
-  return genera;
-}
-
-/// "9..10": both ends included.
-std::pair<double, double> range_in(const std::string& text) {
-  constexpr double infinite = std::numeric_limits<double>::infinity();
-  if (text.empty()) return {-infinite, infinite};
-  const std::size_t dots = text.find("..");
-  const auto refuse = [&text] {
-    return InputError("--volume " + in_quotes(text) + ": expected a range such as 9..10");
-  };
-  if (dots == std::string::npos || text.size() == 2) throw refuse();
-  const auto end = [&](std::size_t from, std::size_t length, double otherwise) {
-    const std::string_view number = std::string_view(text).substr(from, length);
-    if (number.empty()) return otherwise;
-    const auto value = format::parse_double(number);
-    if (!value) throw refuse();
-    return *value;
-  };
-  return {end(0, dots, -infinite), end(dots + 2, std::string::npos, infinite)};
-}
-
-/// Which manifolds of a table are asked for.
-struct Wanted {
-  std::optional<std::vector<int>> boundary;
-  std::pair<double, double> volume;
-  std::string homology; ///< without blanks; empty: any
-  std::optional<int> cusps;
-
-  bool fits(const Manifold& m) const {
-    const double v = format::parse_double(m.volume).value_or(0);
-    return (!boundary || m.boundary == *boundary) && v >= volume.first && v <= volume.second &&
-           (homology.empty() || without_blanks(m.homology) == homology) && (!cusps || m.cusps == *cusps);
-  }
-};
-
-/// All signatures at once, for programs.
-Result listed(const enumeration::GluingOptions& gluings, const Context& context) {
-  Result result;
-  Json signatures = Json::array();
-  enumerate_signatures(
-      gluings,
-      [&](const std::string& signature) {
-        signatures.push_back(signature);
-        result.text += signature + "\n";
-      },
-      context.progress);
-  result.json = {{"count", signatures.size()}, {"signatures", std::move(signatures)}};
-  return result;
-}
-
-/// Hands out signatures in portions, so that few are kept and none waits long.
-class Portions {
-public:
-  explicit Portions(std::function<void(const std::string&)> deliver) : deliver_(std::move(deliver)) {}
-
-  void add(const std::string& line) {
-    text_ += line + "\n";
-    ++count_;
-    if (text_.size() >= most_bytes || (count_ % 64 == 0 && Clock::now() > next_)) flush();
-  }
-  void flush() {
-    if (!text_.empty()) deliver_(text_);
-    text_.clear();
-    next_ = Clock::now() + std::chrono::milliseconds(500);
-  }
-  long long count() const { return count_; }
-
-private:
-  using Clock = std::chrono::steady_clock;
-  static constexpr std::size_t most_bytes = 1U << 16U;
-
-  std::function<void(const std::string&)> deliver_;
-  std::string text_;
-  long long count_ = 0;
-  Clock::time_point next_ = Clock::now();
-};
-
-/// The same as they are found, printed or into the file.
-Result streamed(const enumeration::GluingOptions& gluings, const std::string& output,
-                const Context& context) {
-  std::optional<format::GrowingFile> file;
-  if (!output.empty()) file.emplace(output);
-  Portions portions(file ? [&file](const std::string& text) { file->add(text); } : context.print);
-  enumerate_signatures(
-      gluings, [&](const std::string& signature) { portions.add(signature); }, context.progress);
-  portions.flush();
-  Result result;
-  result.json = {{"count", portions.count()}};
-  if (!file) return result;
-  file->keep();
-  result.text = counted(portions.count(), "gluing") + " written to " + output + "\n";
-  return result;
-}
-
 } // namespace
-
-Run declare_census_gluings(OptionTable& table) {
-  struct Options {
-    enumeration::GluingOptions gluings;
-    bool orientable = false;
-    bool nonorientable = false;
-    std::string links;
-    std::string output;
-  };
-  const auto options = std::make_shared<Options>();
-  add_tetrahedra(table, options->gluings.tetrahedra, true);
-  table.add("--orientable", options->orientable, "only orientable gluings");
-  table.add("--nonorientable", options->nonorientable, "only non-orientable gluings")
-      .excludes("--orientable");
-  table.add("--ideal", options->gluings.ideal, "only gluings with a vertex link other than a sphere");
-  table
-      .add("--links", options->links,
-           "only gluings whose vertex links are in this list: genera (0 for the sphere), nK for K crosscaps")
-      .value_name("LIST");
-  table
-      .add("--min-valence", options->gluings.min_valence,
-           "only gluings whose edges have at least this valence")
-      .in_range(1, 72);
-  table.add("--allow-invalid", options->gluings.allow_invalid,
-            "allow edges that are identified with themselves reversed");
-  table.add("-o,--output", options->output, "write the signatures to this file").value_name("FILE");
-  return [options](const Context& context) {
-    using Orientability = enumeration::GluingOptions::Orientability;
-    enumeration::GluingOptions gluings = options->gluings;
-    gluings.threads = context.threads;
-    if (options->orientable) gluings.orientability = Orientability::orientable;
-    if (options->nonorientable) gluings.orientability = Orientability::nonorientable;
-    if (!options->links.empty()) gluings.links = enumeration::parse_link_set(options->links);
-    return options->output.empty() && !context.print ? listed(gluings, context)
-                                                     : streamed(gluings, options->output, context);
-  };
-}
 
 Run declare_census_enumerate(OptionTable& table) {
   struct Options {
@@ -392,7 +223,9 @@ Run declare_census_enumerate(OptionTable& table) {
   };
   const auto options = std::make_shared<Options>();
   add_tetrahedra(table, options->tetrahedra, true);
-  table.add("-o,--output", options->output, "write a census table to this file (the format of census/*.json)")
+  table
+      .add("-o,--output", options->output,
+           "write a census table to this file, as JSON, or as lines of JSON (.jsonl)")
       .value_name("FILE");
   table.add("--brief", options->brief, "leave the dihedral angles out");
   table
@@ -443,7 +276,9 @@ Run declare_census_merge(OptionTable& table) {
       .required();
   add_tetrahedra(table, options->tetrahedra, true);
   table.add("--brief", options->brief, "the folders were written with --brief");
-  table.add("-o,--output", options->output, "write a census table to this file (the format of census/*.json)")
+  table
+      .add("-o,--output", options->output,
+           "write a census table to this file, as JSON, or as lines of JSON (.jsonl)")
       .value_name("FILE");
   return [options](const Context& context) {
     std::vector<std::unique_ptr<format::Records>> all;
@@ -470,75 +305,6 @@ Run declare_census_validate(OptionTable& table) {
   const auto tetrahedra = std::make_shared<int>(3);
   add_tetrahedra(table, *tetrahedra, false);
   return [tetrahedra](const Context& context) { return run_validation(*tetrahedra, context); };
-}
-
-Run declare_census_list(OptionTable& table) {
-  struct Options {
-    int tetrahedra = 3;
-    std::string boundary;
-    std::string volume;
-    std::string homology;
-    std::optional<int> cusps;
-    bool count = false;
-  };
-  const auto o = std::make_shared<Options>();
-  add_tetrahedra(table, o->tetrahedra, false);
-  table.add("--boundary", o->boundary, "only with geodesic boundary of just these genera, such as 2 or 3,2")
-      .value_name("LIST");
-  table.add("--volume", o->volume, "only with a volume in this range; either end may be left out")
-      .value_name("A..B");
-  table.add("--homology", o->homology, "only with this first homology, such as 'Z^2 + Z/3'")
-      .value_name("GROUP");
-  table.add("--cusps", o->cusps, "only with this number of cusps").in_range(0, 1000);
-  table.add("--count", o->count, "print no more than their number");
-  return [o](const Context&) {
-    const Wanted wanted{genera_in(o->boundary), range_in(o->volume), without_blanks(o->homology), o->cusps};
-    Result result;
-    result.json = {{"tetrahedra", o->tetrahedra}, {"count", 0}};
-    if (!o->count) result.json["manifolds"] = Json::array();
-    long long count = 0;
-    std::vector<std::pair<std::string, std::string>> rows;
-    for (const Manifold& m : catalogue::require_table(o->tetrahedra)) {
-      if (!wanted.fits(m)) continue;
-      ++count;
-      if (o->count) continue;
-      result.json["manifolds"].push_back(manifold_json(m));
-      rows.emplace_back(m.name, shortened(m.volume) + "  " + m.boundary_text() + "  " + m.homology + "  " +
-                                    m.signature);
-    }
-    result.json["count"] = count;
-    result.text = o->count ? std::to_string(count) + "\n" : block(rows);
-    return result;
-  };
-}
-
-Run declare_census_show(OptionTable& table) {
-  const auto name = std::make_shared<std::string>();
-  table.add("NAME", *name, "a census name, such as fmp3_17").required();
-  return [name](const Context&) {
-    const auto found = catalogue::find_by_name(*name);
-    if (!found) throw InputError("no census manifold is called " + in_quotes(*name));
-    const Manifold& m = *found;
-    Result result;
-    result.json = manifold_json(m);
-    std::vector<std::pair<std::string, std::string>> rows{
-        {"name", m.name},
-        {"tetrahedra", std::to_string(m.tetrahedra)},
-        {"signature", m.signature},
-        {"volume", m.volume},
-        {"boundary", m.boundary_text()},
-        {"edge classes", std::to_string(m.edges)},
-        {"homology", m.homology},
-        {"canonical cells", joined(m.cells, ", ")},
-        {"isometry signature", m.canonical_signature},
-        {"isometry group", "order " + std::to_string(m.symmetries)}};
-    for (std::size_t t = 0; t < m.dihedral_angles.size(); ++t)
-      for (int e = 0; e < 6; ++e)
-        rows.emplace_back(e == 0 ? "angles " + std::to_string(t) : "", m.dihedral_angles[t][e]);
-    result.text = block(rows);
-    result.value = std::make_shared<Value>(format::document_of(from_signature(m.signature), m.name));
-    return result;
-  };
 }
 
 } // namespace tetrarch::program

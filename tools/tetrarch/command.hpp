@@ -131,6 +131,7 @@ Run declare_census_merge(OptionTable& table);
 Run declare_census_validate(OptionTable& table);
 Run declare_census_list(OptionTable& table);
 Run declare_census_show(OptionTable& table);
+Run declare_census_table(OptionTable& table);
 Run declare_census_identify(OptionTable& table);
 
 } // namespace tetrarch::program

@@ -97,6 +97,8 @@ const std::vector<Command>& commands() {
       {tables, "census list", "list the manifolds of a stored table", "census list --tetrahedra 2",
        declare_census_list},
       {tables, "census show", "show the entry of one manifold", "census show fmp3_17", declare_census_show},
+      {tables, "census table", "put tables together in one SQLite file, which other programs can ask",
+       "census table samples/census.jsonl -o census.sqlite", declare_census_table},
       {tables, "census identify", "find the name of a manifold, whatever its triangulation",
        "census identify eLPkbdcddhgggb", declare_census_identify, false,
        workshop::notes_of<identify::Identification>},

@@ -152,6 +152,9 @@ Made make_slits(const slit::OneForms& forms, slit::SlitMap map, const Options& o
   const slit::Unflipped moved =
       on_ring ? slit::unflip_on_ring(forms, map, which) : slit::unflip_on_cylinder(forms, map, which);
   if (options.unflip || moved.moved > 0) made.report.add(unflipped_report(moved));
+  const slit::Softened softened =
+      on_ring ? slit::soften_ends_on_ring(forms, map) : slit::soften_ends_on_cylinder(forms, map);
+  if (softened.moved > 0) made.report.add(softened_report(softened));
   const auto distortion = [&] {
     return on_ring ? slit::distortion_on_ring(forms, map) : slit::distortion_on_cylinder(forms, map);
   };

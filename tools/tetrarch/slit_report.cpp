@@ -106,6 +106,17 @@ Report unflipped_report(const slit::Unflipped& unflipped) {
   return report;
 }
 
+Report softened_report(const slit::Softened& softened) {
+  Report report;
+  report.json["slit_ends"] = {{"moved", softened.moved},
+                              {"max_quasiconformal_before", softened.before},
+                              {"max_quasiconformal", softened.after}};
+  report.rows.emplace_back("slit ends", counted(softened.moved, "vertex") +
+                                            " moved, greatest distortion there " + rounded(softened.before) +
+                                            " to " + rounded(softened.after));
+  return report;
+}
+
 Report balanced_report(const slit::Balanced& balanced, const slit::Distortion& before) {
   Report report;
   report.json["balanced"] = {{"energy_before", finite_or_null(balanced.before)},

@@ -23,6 +23,7 @@ Report loops_report(const mesh::OpenedMesh& surface, const std::vector<mesh::Bou
 Report map_report(const slit::SlitMap& map, bool on_ring);
 Report circles_report(const slit::CircularMap& map);
 Report unflipped_report(const slit::Unflipped& unflipped);
+Report softened_report(const slit::Softened& softened);
 /// `before`: what the distortion was.
 Report balanced_report(const slit::Balanced& balanced, const slit::Distortion& before);
 Report distortion_report(const slit::Distortion& distortion);

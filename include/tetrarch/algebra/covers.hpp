@@ -10,7 +10,7 @@
 /// sheets, only the one with the least table is kept. Source: Sims, "Computation with Finitely Presented
 /// Groups" (1994), chapter 5.6.
 
-#include "tetrarch/algebra/abelian_group.hpp"
+#include "tetrarch/algebra/cover.hpp"
 #include "tetrarch/algebra/group.hpp"
 #include "tetrarch/core/progress.hpp"
 
@@ -18,14 +18,6 @@
 #include <vector>
 
 namespace tetrarch::algebra {
-
-/// A connected cover by what the generators do with its sheets.
-struct Cover {
-  int degree = 1;
-  std::vector<std::vector<int>> sheet; ///< sheet[g][p]: where generator g leads from p
-
-  friend bool operator==(const Cover&, const Cover&) = default;
-};
 
 /// What a word does with the sheets: read from left to right.
 std::vector<int> action(const Cover& cover, const Word& word);

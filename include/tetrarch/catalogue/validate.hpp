@@ -51,9 +51,6 @@ struct Classification {
   int missing_units = 0; ///< that others have to do
 };
 
-/// "fmp" up to four tetrahedra, which Frigerio, Martelli and Petronio counted; "tet" from five on.
-std::string name_prefix(int tetrahedra);
-
 /// Where finished units of work are kept, so that none is done twice. Empty functions: nowhere. Both may be
 /// called from any thread.
 struct UnitRecords {

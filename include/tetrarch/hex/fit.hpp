@@ -37,7 +37,8 @@ void fit(SizedHexahedra& hexahedra, const std::vector<Home>& home, const Targets
 
 /// Points of the surface go to their homes, or as far on the way as the hexahedra around them stay good;
 /// returns how many are not there. O(n log n).
-int land(product::HexMesh& mesh, const std::vector<Home>& home, const Targets& targets);
+int land(product::HexMesh& mesh, const std::vector<Home>& home, const Targets& targets,
+         const Progress& progress = {});
 
 /// The normal of the mesh's surface at each of its points, unit; zero inside. O(n log n).
 std::vector<Vector> surface_normals(const product::HexMesh& mesh);

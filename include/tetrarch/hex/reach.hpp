@@ -10,6 +10,7 @@
 ///       /---\          the solid ask as well: each finds the nearest square that faces as it does, and would
 ///      /|   |\         like to have it. What is far away counts more.
 
+#include "tetrarch/core/progress.hpp"
 #include "tetrarch/hex/targets.hpp"
 #include "tetrarch/product/hex_mesh.hpp"
 
@@ -32,6 +33,6 @@ std::vector<SurfaceSample> surface_samples(const Targets& targets, double spacin
 /// its area times its distance, shares of a triangle's corners taken into account; none where nobody is
 /// farther away than `least`. No way is longer than `most`. O(s log n).
 std::vector<Vector> reach(const product::HexMesh& mesh, const std::vector<SurfaceSample>& samples,
-                          double least, double most);
+                          double least, double most, const Progress& progress = {});
 
 } // namespace tetrarch::hex

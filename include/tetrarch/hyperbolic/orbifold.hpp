@@ -4,17 +4,17 @@
 /// Hyperbolic structures with marked edges: orbifolds, cone manifolds, parabolic meridians; and those with
 /// finite vertices, closed manifolds among them.
 ///
-/// An edge of order n > 1 has the angle 2 pi / n around it. A null edge (order 0) lies at infinity: the planes
-/// that truncate its two ends touch, its length is 0, the angles at it are 0, and it has no equation. A vertex
-/// is what its link is with the marks as cone points: with
+/// An edge of order n > 1 has the angle 2 pi / n around it. A null edge (order 0) lies at infinity: the
+/// planes that truncate its two ends touch, its length is 0, the angles at it are 0, and it has no equation.
+/// A vertex is what its link is with the marks as cone points: with
 ///
 ///   chi(v) = chi(link of v) - sum over the marked ends of edges at v of (1 - 1/n), a null end counting 1,
 ///
 /// it is hyperideal, ideal or finite as chi(v) < 0, = 0, > 0. So three null edges that meet make a totally
 /// geodesic sphere with three cusps, and the orders 2, 3, 6 a cusp that is a Euclidean orbifold.
 ///
-/// Newton's method solves the equations from all lengths 1 where every tetrahedron keeps its orientation. Where
-/// some turn over, a homotopy does: its unknowns are all inner products of vertex vectors and for each
+/// Newton's method solves the equations from all lengths 1 where every tetrahedron keeps its orientation.
+/// Where some turn over, a homotopy does: its unknowns are all inner products of vertex vectors and for each
 /// tetrahedron a signed square root t of -det W, so that nothing happens as a tetrahedron passes through flat
 /// ones; it starts from smaller cone angles, where everything is hyperideal. The volume is then the sum of
 /// signed volumes: of the true structure where there is one that these tetrahedra cover with degree 1, which
@@ -35,15 +35,15 @@ namespace tetrarch::hyperbolic {
 Table<VertexId, double> orbifold_euler(const Skeleton& skeleton, const EdgeOrders& orders);
 
 enum class OrbifoldOutcome {
-  geometric,     ///< a structure, every tetrahedron positively oriented
-  turned_over,   ///< the equations hold, but some tetrahedra are flat or negatively oriented
-  bad_vertex,    ///< the marks at a vertex make a link that no cone manifold has: one cone point on a sphere, or
-                 ///< two of different angles
-  null_edge,     ///< a null edge joins two cusps; it has to be contracted or drilled first
-  low_valence,   ///< angles below pi around an edge cannot add up to its cone angle
-  not_found,     ///< neither method arrived
+  geometric,   ///< a structure, every tetrahedron positively oriented
+  turned_over, ///< the equations hold, but some tetrahedra are flat or negatively oriented
+  bad_vertex, ///< the marks at a vertex make a link that no cone manifold has: one cone point on a sphere, or
+              ///< two of different angles
+  null_edge,  ///< a null edge joins two cusps; it has to be contracted or drilled first
+  low_valence,    ///< angles below pi around an edge cannot add up to its cone angle
+  not_found,      ///< neither method arrived
   boundary_faces, ///< the triangulation is not closed
-  invalid,       ///< empty, or an edge is identified with itself reversed
+  invalid,        ///< empty, or an edge is identified with itself reversed
 };
 inline constexpr int orbifold_outcome_count = 8;
 /// The name as spelt above; stable, for JSON.
@@ -88,7 +88,7 @@ struct OrbifoldStructure {
   bool solved() const {
     return outcome == OrbifoldOutcome::geometric || outcome == OrbifoldOutcome::turned_over;
   }
-  int flat() const;   ///< number of flat tetrahedra
+  int flat() const;     ///< number of flat tetrahedra
   int negative() const; ///< number of those turned over
 };
 
@@ -96,8 +96,8 @@ struct OrbifoldStructure {
 std::optional<OrbifoldStructure> why_no_orbifold(const Skeleton& skeleton, const EdgeOrders& orders);
 
 /// Throws PreconditionError if the skeleton is stale, or `orders` has not one order per edge class. Newton:
-/// O(E^3) a step. The homotopy: O((E + n)^3) a step, some dozens of steps: a millisecond for two tetrahedra, a
-/// second for fifty. A stop is thrown as `Stopped`. Deterministic.
+/// O(E^3) a step. The homotopy: O((E + n)^3) a step, some dozens of steps: a millisecond for two tetrahedra,
+/// a second for fifty. A stop is thrown as `Stopped`. Deterministic.
 [[nodiscard]] OrbifoldStructure solve_orbifold(const Triangulation& tri, const Skeleton& skeleton,
                                                const EdgeOrders& orders, const OrbifoldOptions& options = {},
                                                const Progress& progress = {});

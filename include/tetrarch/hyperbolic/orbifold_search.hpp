@@ -4,9 +4,9 @@
 /// A structure with marked edges or finite vertices, on whatever triangulation carries it.
 ///
 /// Solves on the triangulation given; on one made smaller; and on others made by random moves that keep the
-/// marks, until every tetrahedron is positively oriented or the attempts are spent. Then the best is returned:
-/// a solution in which the fewest tetrahedra are turned over or flat. What else is found stays a statement
-/// about the triangulations that were tried.
+/// marks, until every tetrahedron is positively oriented or the attempts are spent. Then the best is
+/// returned: a solution in which the fewest tetrahedra are turned over or flat. What else is found stays a
+/// statement about the triangulations that were tried.
 
 #include "tetrarch/hyperbolic/orbifold.hpp"
 
@@ -33,8 +33,8 @@ struct OrbifoldSearch {
   std::array<int, orbifold_outcome_count> seen{}; ///< how often each outcome was seen
 };
 
-/// Throws PreconditionError for marks with a fault and for a triangulation that is not connected. Deterministic
-/// for a seed. A stop is thrown as `Stopped`.
+/// Throws PreconditionError for marks with a fault and for a triangulation that is not connected.
+/// Deterministic for a seed. A stop is thrown as `Stopped`.
 [[nodiscard]] OrbifoldSearch find_orbifold(const Triangulation& tri, const Marks& marks,
                                            const OrbifoldSearchOptions& options = {},
                                            const Progress& progress = {});

@@ -3,8 +3,8 @@
 
 /// A complex with marked edges, which no move may lose.
 ///
-/// The marked edges are a graph in the manifold, and a move has to leave the pair as it was. So here a move is
-/// legal if it is legal in a Complex, and
+/// The marked edges are a graph in the manifold, and a move has to leave the pair as it was. So here a move
+/// is legal if it is legal in a Complex, and
 ///
 ///   - an edge that leaves (3-2, 4-4, 2-0, 2-1) is not marked;
 ///   - of edges that become one, at most one is marked;
@@ -36,8 +36,8 @@ public:
   int size() const { return complex_.size(); }
   double order(EdgeId e) const { return order_[static_cast<std::size_t>(e.value)]; }
 
-  /// Makes one of the moves merge, 2-3, 3-2, 4-4, 2-0 at an edge and 2-1, or returns false and changes nothing.
-  /// O(n): the complex is copied.
+  /// Makes one of the moves merge, 2-3, 3-2, 4-4, 2-0 at an edge and 2-1, or returns false and changes
+  /// nothing. O(n): the complex is copied.
   bool apply(const Move& move);
   /// The living tetrahedra and the marks on them. O(n).
   MarkedTriangulation compact() const;

@@ -25,7 +25,8 @@
 /// too. Sources: Hempel, "3-Manifolds" (1976); Jaco and Shalen (1979); Culler and Shalen (1983), 2.3.1; Jaco
 /// and Tollefson, "Algorithms for the complete decomposition of a closed 3-manifold" (1995).
 
-#include "tetrarch/algebra/covers.hpp"
+#include "tetrarch/algebra/cover.hpp"
+#include "tetrarch/algebra/presentation.hpp"
 #include "tetrarch/core/progress.hpp"
 #include "tetrarch/core/triangulation.hpp"
 

@@ -35,6 +35,21 @@ Balanced balance_on_ring(const OneForms& forms, SlitMap& map, const Progress& pr
 /// In the disk with round holes.
 Balanced balance_in_disk(const mesh::TriangleMesh& mesh, CircularMap& map, const Progress& progress = {});
 
+/// What was done at the ends of slits.
+struct Softened {
+  int moved = 0;     ///< vertices
+  double before = 0; ///< the greatest ratio of axes there
+  double after = 0;
+};
+
+/// A slit turns back between two vertices, which lie almost on one another then: the triangle on them becomes
+/// a needle. Where a triangle within three steps of an end has a ratio of axes above 10, those triangles
+/// alone are relaxed, their outer edges held, as above and then for their angles only; vertices of the slit
+/// slide along it, its end stays. An end where that does not help stays as it was. O(n) and a little for each
+/// end.
+Softened soften_ends_on_cylinder(const OneForms& forms, SlitMap& map);
+Softened soften_ends_on_ring(const OneForms& forms, SlitMap& map);
+
 /// A domain whose shape is free.
 struct FreeMap {
   std::vector<std::complex<double>> position; ///< of each vertex, in the unit of the surface

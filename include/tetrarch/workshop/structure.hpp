@@ -54,8 +54,8 @@ struct Structure {
 };
 
 /// Throws PreconditionError unless `tri` is a connected manifold of at least one tetrahedron; Stopped if the
-/// progress says so, or for marks with a fault. Milliseconds for ten tetrahedra, seconds for a hundred. A closed
-/// manifold is sought by the homotopy of orbifold.hpp up to 150 tetrahedra.
+/// progress says so, or for marks with a fault. Milliseconds for ten tetrahedra, seconds for a hundred. A
+/// closed manifold is sought by the homotopy of orbifold.hpp up to 150 tetrahedra.
 Structure structure(const Triangulation& tri, const StructureOptions& options = {},
                     const Progress& progress = {});
 

@@ -35,14 +35,14 @@ __all__ = ["AbelianGroup", "Cells", "Census", "CensusManifold", "Cusp", "DirectP
 if TYPE_CHECKING:  # otherwise they are made when they are first asked for
     # Made by make_stubs.
     from .commands import (bundle, canonize, census_enumerate, census_gluings, census_identify, census_list, census_merge,
-                           census_show, census_validate, check, convert, diagram, drill, embed, exterior, group, help, hex,
-                           hyperbolize, info, isometric, move, product, register, simplify, skeleton, slit, subdivide, truncate,
-                           verify, view)
+                           census_show, census_table, census_validate, check, convert, diagram, drill, embed, exterior, group,
+                           help, hex, hyperbolize, info, isometric, move, product, register, simplify, skeleton, slit,
+                           subdivide, truncate, verify, view)
 
     __all__ += ["bundle", "canonize", "census_enumerate", "census_gluings", "census_identify", "census_list", "census_merge",
-                "census_show", "census_validate", "check", "convert", "diagram", "drill", "embed", "exterior", "group", "help",
-                "hex", "hyperbolize", "info", "isometric", "move", "product", "register", "simplify", "skeleton", "slit",
-                "subdivide", "truncate", "verify", "view"]
+                "census_show", "census_table", "census_validate", "check", "convert", "diagram", "drill", "embed", "exterior",
+                "group", "help", "hex", "hyperbolize", "info", "isometric", "move", "product", "register", "simplify",
+                "skeleton", "slit", "subdivide", "truncate", "verify", "view"]
 
 
 def __getattr__(name: str) -> Any:
