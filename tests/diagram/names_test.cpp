@@ -121,9 +121,9 @@ TEST_CASE("Conway's notation of the knots to nine crossings", "[names]") {
                                                                      {"Conway[2 1, 2 1, 2]", "8_15"},
                                                                      {"Conway[3, 2 1, -2]", "8_20"},
                                                                      {"Conway[3, 3, 2+]", "9_16"},
-                                                                     {"Conway[3, 3, -2 -1]", "9_46"},
+                                                                     {"Conway[3, 3, 2 1-]", "9_46"},
                                                                      {"Conway[2 1 2]", "L5a1"},
-                                                                     {"Conway[2 2 1 1 1 2]", "9_31"}}) {
+                                                                     {"Conway[2 1 1 1 1 1 2]", "9_31"}}) {
     INFO(code << " is " << name);
     const Diagram diagram = read_diagram(code, "test");
     CHECK_FALSE(signature_of(diagram).empty());
