@@ -218,8 +218,8 @@ std::vector<Isomorphism> isometry_group(const Canonical& canonical) {
 }
 
 const char* to_string(IsometryAnswer::Proof proof) {
-  constexpr std::array<const char*, 6> names{"none",     "isomorphism", "boundary",
-                                             "homology", "volume",      "cells"};
+  constexpr std::array<const char*, 8> names{"none",   "isomorphism", "boundary",  "homology",
+                                             "volume", "cells",       "structure", "covers"};
   return names[static_cast<std::size_t>(proof)];
 }
 

@@ -30,7 +30,10 @@ public:
     for (int t = 0; t < tri_.size(); ++t)
       for (int f = 0; f < 4; ++f)
         for (const int k : face_vertex[f])
-          if (is_wall({t, f}) && is_side(hold(t, f, k))) small_[slot(t, f, k)] = out.coned.add_tetrahedra();
+          if (is_wall({t, f}) && is_side(hold(t, f, k))) {
+            small_[slot(t, f, k)] = out.coned.add_tetrahedra();
+            out.origin.push_back({{t, f}, k});
+          }
     for (int t = 0; t < tri_.size(); ++t)
       for (int f = 0; f < 4; ++f)
         for (const int k : face_vertex[f])

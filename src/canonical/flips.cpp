@@ -60,6 +60,7 @@ public:
         return flips;
       }
       ++flips.moves;
+      flips.path.push_back(flip->ball);
       for (const bool flat : flip->flat) flips.flat_tets += flat;
       if (!make(*flip, concave[at].drop)) {
         flips.end = Flips::End::inexact;

@@ -2,6 +2,7 @@
 #include "tetrarch/catalogue/manifold.hpp"
 
 #include "tables.hpp"
+#include "tetrarch/catalogue/database.hpp"
 #include "tetrarch/core/error.hpp"
 #include "tetrarch/core/signature.hpp"
 #include "tetrarch/numeric/real50.hpp"
@@ -21,6 +22,7 @@ using numeric::Real50;
 using Json = nlohmann::ordered_json;
 
 constexpr std::string_view format_tag = "tetrarch-census";
+constexpr std::string_view lines_tag = "tetrarch-census-lines";
 constexpr int format_version = 1;
 
 /// Volumes are known to 30 digits; different ones of few tetrahedra differ by 1e-6 and more.
@@ -77,6 +79,35 @@ Json to_json(const Manifold& m) {
   j["symmetries"] = m.symmetries;
   if (!m.dihedral_angles.empty()) j["dihedral_angles"] = m.dihedral_angles;
   return j;
+}
+
+/// A table of lines, whose first one says what it is.
+std::vector<Manifold> read_lines(std::string_view text, const std::string& source) {
+  std::vector<Manifold> manifolds;
+  int number = 0;
+  int tetrahedra = 0;
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t end = std::min(text.find('\n', at), text.size());
+    const std::string_view line = text.substr(at, end - at);
+    at = end + 1;
+    ++number;
+    try {
+      if (number == 1) {
+        const Json heading = Json::parse(line);
+        if (heading.at("version") != format_version)
+          throw InputError("this is no census table of version " + std::to_string(format_version));
+        tetrahedra = heading.at("tetrahedra");
+      } else {
+        manifolds.push_back(from_json(Json::parse(line), tetrahedra));
+        manifolds.back().name = name_prefix(tetrahedra) + std::to_string(number - 1);
+      }
+    } catch (const Json::exception& e) {
+      throw InputError({source, number}, e.what());
+    } catch (const InputError& e) {
+      throw InputError({source, number}, e.what());
+    }
+  }
+  return manifolds;
 }
 
 /// The line of a stored table that holds this member; empty if there is none. It is not parsed.
@@ -154,7 +185,26 @@ std::string write_table(int tetrahedra, const std::vector<Manifold>& manifolds) 
   return text + "\n  ]\n}\n";
 }
 
+std::string name_prefix(int tetrahedra) {
+  constexpr int largest_published = 4;
+  return (tetrahedra <= largest_published ? "fmp" : "tet") + std::to_string(tetrahedra) + "_";
+}
+
+std::string write_table_lines(int tetrahedra, const std::vector<Manifold>& manifolds) {
+  std::string text =
+      Json{{"format", lines_tag}, {"version", format_version}, {"tetrahedra", tetrahedra}}.dump();
+  for (const Manifold& m : manifolds) {
+    Json line = to_json(m);
+    line.erase("name");
+    line.erase("dihedral_angles");
+    text += "\n" + line.dump();
+  }
+  return text + "\n";
+}
+
 std::vector<Manifold> read_table(std::string_view text, const std::string& source) {
+  if (text.starts_with(Json{{"format", lines_tag}}.dump().substr(0, lines_tag.size() + 12)))
+    return read_lines(text, source);
   const Json j = parse(text, source);
   std::vector<Manifold> manifolds;
   try {
@@ -218,7 +268,7 @@ std::optional<Manifold> find_by_name(std::string_view name) {
     const std::string_view line = line_with(stored_table_text(n), "{\"name\":\"" + std::string(name) + "\"");
     if (!line.empty()) return read_manifold(line, n);
   }
-  return std::nullopt;
+  return installed_database() != nullptr ? installed_database()->by_name(name) : std::nullopt;
 }
 
 std::optional<Manifold> find_by_isometry_signature(std::string_view signature) {
@@ -227,7 +277,8 @@ std::optional<Manifold> find_by_isometry_signature(std::string_view signature) {
         line_with(stored_table_text(n), "\"canonical_signature\":\"" + std::string(signature) + "\"");
     if (!line.empty()) return read_manifold(line, n);
   }
-  return std::nullopt;
+  return installed_database() != nullptr ? installed_database()->by_isometry_signature(signature)
+                                         : std::nullopt;
 }
 
 std::vector<std::string> stored_names() {

@@ -40,10 +40,31 @@ std::size_t printable_length(std::string_view text) {
 
 } // namespace
 
-InputError::InputError(const std::string& said) : std::runtime_error(said), message(said) {}
+std::string_view code_of(Cause cause) {
+  switch (cause) {
+  case Cause::value:
+    return "bad_value";
+  case Cause::option:
+    return "bad_option";
+  case Cause::name:
+    return "unknown_name";
+  case Cause::kind:
+    return "wrong_kind";
+  case Cause::file:
+    return "bad_file";
+  case Cause::memory:
+    return "no_memory";
+  case Cause::content:
+    break;
+  }
+  return "bad_content";
+}
 
-InputError::InputError(const Place& at, const std::string& said)
-    : std::runtime_error(placed(at, said)), place(at), message(said) {}
+InputError::InputError(const std::string& said, Cause why)
+    : std::runtime_error(said), message(said), cause(why) {}
+
+InputError::InputError(const Place& at, const std::string& said, Cause why)
+    : std::runtime_error(placed(at, said)), place(at), message(said), cause(why) {}
 
 std::string printable(std::string_view text, Lines lines) {
   std::string clean;

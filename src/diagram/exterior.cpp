@@ -9,6 +9,7 @@
 
 #include <array>
 #include <numeric>
+#include <variant>
 
 namespace tetrarch::diagram {
 namespace {
@@ -71,7 +72,8 @@ public:
       if (d < diagram_.opposite(d)) glue_wall(d);
       glue_spoke(d);
     }
-    Sphere out{std::move(tri_), {}, {}};
+    // x y z run counterclockwise where x is the dart's own node, and then x0 y0 z0 z1 is right-handed.
+    Sphere out{std::move(tri_), {}, {}, starts_at_x(0) ? 1 : -1};
     for (int d = 0; d < diagram_.dart_count(); ++d)
       if (d < diagram_.opposite(d)) out.arcs.push_back(arc(d));
     for (const Node& node : diagram_.nodes())
@@ -170,6 +172,21 @@ Triangulation drilled(const Triangulation& tri, const std::vector<TetEdge>& arcs
   return moves::truncate(drilling.tri, how, progress).tri;
 }
 
+/// How many moves lead to a triangulation of so many tetrahedra and the fewest vertices. The rest only wander
+/// among such, which may wind the words round the manifold without end.
+std::size_t moves_needed(const Triangulation& from, const moves::MoveLog& log, int tets) {
+  moves::Complex complex(from);
+  std::size_t needed = log.size();
+  int fewest = complex.vertex_count() + 1;
+  for (std::size_t k = 0; k < log.size(); ++k) {
+    if (moves::apply(complex, log[k])) throw PreconditionError("pair_exterior: a move of the log is illegal");
+    if (complex.size() > tets || complex.vertex_count() >= fewest) continue;
+    fewest = complex.vertex_count();
+    needed = k + 1;
+  }
+  return needed;
+}
+
 } // namespace
 
 Sphere sphere_with(const Diagram& diagram) {
@@ -194,6 +211,38 @@ Triangulation doubled_exterior(const Diagram& diagram, const ExteriorOptions& op
 Triangulation exterior(const Diagram& diagram, const ExteriorOptions& options, const Progress& progress) {
   const Sphere sphere = sphere_with(diagram);
   return drilled(sphere.tri, sphere.arcs, options, progress);
+}
+
+std::optional<PairExterior> pair_exterior(const Diagram& diagram, const ExteriorOptions& options,
+                                          const Progress& progress) {
+  const Sphere sphere = sphere_with(diagram);
+  const Skeleton skeleton(sphere.tri);
+  const Table<EdgeId, bool> edges = edges_of(skeleton, sphere.arcs);
+  std::vector<int> hands = orientation(sphere.tri).value();
+  for (int& hand : hands) hand *= sphere.hand;
+  auto crushed = moves::crushed_with_monodromy(sphere.tri, skeleton, edges,
+                                               moves::graph_letters(skeleton, edges), hands);
+  auto* drilled = std::get_if<moves::Crushed>(&crushed);
+  if (drilled == nullptr) return std::nullopt;
+  moves::MoveLog log;
+  moves::TruncateOptions how;
+  how.simplify.seed = options.seed;
+  how.simplify.log = &log;
+  const Triangulation tri = moves::truncate(drilled->tri, how, progress).tri;
+  log.resize(moves_needed(drilled->tri, log, tri.size()));
+  moves::Complex complex(drilled->tri);
+  constexpr std::size_t between = 50; // moves after which words are made short again
+  constexpr long long most_letters = 1'000'000;
+  for (std::size_t k = 0; k < log.size(); ++k) {
+    progress.step("meridians carried", static_cast<double>(k) / static_cast<double>(log.size()));
+    if (!moves::carry(complex, drilled->monodromy, log[k])) return std::nullopt;
+    if (k % between != 0) continue;
+    moves::shorten(complex, drilled->monodromy);
+    if (drilled->monodromy.letter_count() > most_letters) return std::nullopt;
+  }
+  moves::shorten(complex, drilled->monodromy);
+  const moves::Complex::Compact end = complex.compact();
+  return PairExterior{end.tri, moves::compacted(drilled->monodromy, end)};
 }
 
 } // namespace tetrarch::diagram

@@ -3,22 +3,38 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace tetrarch::diagram {
 namespace {
 
+/// How far the factor of relaxation stays from 2, in units of one over the diameter; tuned on closed braids
+/// of 100 to 3,000 crossings.
+constexpr double relaxation_gap = 2;
+
 class Packing {
 public:
   Packing(const std::vector<std::vector<int>>& flowers, const std::vector<bool>& boundary)
-      : flowers_(flowers), boundary_(boundary), circles_(flowers.size()) {}
+      : relaxation_(2 / (1 + relaxation_gap / std::sqrt(static_cast<double>(flowers.size())))),
+        flowers_(flowers), boundary_(boundary), circles_(flowers.size()) {}
 
   std::vector<PackedCircle> run(const Progress& progress) {
     constexpr int most_sweeps = 20'000;
     constexpr double good = 1e-9;
+    constexpr double near = 0.3; // an error of angle sums from which on the equations are as good as linear
+    double least = std::numeric_limits<double>::infinity();
     for (int sweep = 0; sweep < most_sweeps; ++sweep) {
       if (sweep % 16 == 0) progress.step("circles packed", -1);
-      if (improve() < good) break;
+      const double worst = improve(least < near ? relaxation_ : 1);
+      if (worst < good) break;
+      // Too much of it may diverge where the radii are far from the solution.
+      constexpr double divergence = 4;
+      if (worst > divergence * least) {
+        relaxation_ = 1 + (relaxation_ - 1) / 2;
+        least = worst;
+      }
+      least = std::min(least, worst);
     }
     place();
     return std::move(circles_);
@@ -40,8 +56,8 @@ private:
   }
 
   /// Each interior circle as if its neighbors were of one size that gives the same angles (uniform neighbor
-  /// model). Returns the largest error of an angle sum.
-  double improve() {
+  /// model), and further in that direction. Returns the largest error of an angle sum.
+  double improve(double relaxation) {
     double worst = 0;
     for (int v = 0; v < static_cast<int>(flowers_.size()); ++v) {
       if (boundary_[v]) continue;
@@ -51,7 +67,8 @@ private:
       const double beta = std::sin(sum / count);
       const double delta = std::sin(2 * std::numbers::pi / count);
       const double uniform = beta / (1 - beta) * circles_[v].radius;
-      circles_[v].radius = uniform * (1 - delta) / delta;
+      const double better = uniform * (1 - delta) / delta;
+      circles_[v].radius *= std::pow(better / circles_[v].radius, relaxation);
     }
     return worst;
   }
@@ -97,6 +114,10 @@ private:
       placed[next] = true;
     }
   }
+
+  /// Over-relaxation of the logarithms of radii. Near the solution these are a discrete Laplace equation, for
+  /// which sweeps grow as the diameter with a factor this near to 2, and as its square with 1.
+  double relaxation_ = 1;
 
   const std::vector<std::vector<int>>& flowers_;
   const std::vector<bool>& boundary_;

@@ -16,10 +16,11 @@ struct Kind {
 };
 
 /// The word "x", "v", "p" or "loop" is part of the list that it begins, and so are "o" and "u".
-constexpr std::array<Kind, 10> kinds{{{"embedding", read_embedding},
+constexpr std::array<Kind, 11> kinds{{{"embedding", read_embedding},
                                       {"pd", read_planar_diagram},
                                       {"braid", read_braid},
                                       {"br", read_braid},
+                                      {"conway", read_conway},
                                       {"dt", read_dt},
                                       {"gauss", read_gauss},
                                       {"gausscode", read_gauss},
@@ -49,7 +50,8 @@ Draft read_code(std::string_view text, const std::string& source) {
   }
   if (begins_planar_list(word)) return read_planar_diagram(code);
   if (word == "o" || word == "u") return read_gauss(code);
-  if (!word.empty()) code.fail_expected("the code of a diagram: embedding, PD, X[...], braid, DT or Gauss");
+  if (!word.empty())
+    code.fail_expected("the code of a diagram: embedding, PD, X[...], braid, DT, Gauss or Conway");
   return read_planar_diagram(code);
 }
 

@@ -18,6 +18,7 @@ Draft read_braid(CodeText& text);
 Draft closed_braid(const std::vector<int>& letters, int strands);
 Draft read_dt(CodeText& text);
 Draft read_gauss(CodeText& text);
+Draft read_conway(CodeText& text);
 
 /// A passage of a Gauss code: the crossing, from 0, and whether it is over.
 struct Passage {

@@ -313,7 +313,7 @@ std::optional<std::vector<int>> rolfsen_braid(std::string_view name) {
 
 std::optional<Diagram> named_diagram(std::string_view name) {
   const std::optional<std::vector<int>> letters = rolfsen_braid(name);
-  if (!letters) return std::nullopt;
+  if (!letters) return tabulated_diagram(name);
   return without_points(std::move(closed_braid(*letters, 1)).finished());
 }
 

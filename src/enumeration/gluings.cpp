@@ -23,15 +23,21 @@ void require_sensible(const GluingOptions& options) {
   if (options.threads < 1) throw PreconditionError("gluings: at least one thread is needed");
 }
 
+/// By how many letters the search is cut into pieces: of up to six tetrahedra no piece has more than some
+/// thousand gluings, and beyond there are not too many pieces.
+int letters_of_pieces(int tetrahedra) {
+  constexpr int most = 8;
+  return std::min(std::max(tetrahedra, std::min(tetrahedra + 2, most)), 2 * tetrahedra);
+}
+
 /// The search cut into pieces that do not depend on the number of threads.
-struct Plan {
-  Plan(const GluingOptions& options, const Progress& progress)
-      : rules(options), length(options.tetrahedra),
+struct SearchPlan {
+  SearchPlan(const GluingOptions& options, const Progress& progress)
+      : rules(options), length(letters_of_pieces(options.tetrahedra)),
         beginnings(GluingSearch(rules, progress).beginnings(length)) {}
 
   GluingRules rules;
-  int length; ///< n letters: thousands of pieces of five tetrahedra, and none has more than a small part of
-              ///< all
+  int length;
   std::vector<GluingSearch::Text> beginnings;
 };
 
@@ -39,7 +45,7 @@ struct Plan {
 template <class Item, class Make, class Deliver>
 void run(const GluingOptions& options, const Make& make, const Deliver& deliver, const Progress& progress) {
   require_sensible(options);
-  const Plan plan(options, progress);
+  const SearchPlan plan(options, progress);
   const auto report = [&](double part) { progress.step(stage, part); };
   if (options.threads > 1) {
     const auto worker = [&] {
@@ -99,6 +105,13 @@ void enumerate_gluings(const GluingOptions& options, const std::function<void(co
       [&](Triangulation&& tri) { visit(tri); }, progress);
 }
 
+void enumerate_signatures(const GluingOptions& options, const std::function<void(const std::string&)>& visit,
+                          const Progress& progress) {
+  run<std::string>(
+      options, [](const PartialGluing& gluing) { return SignatureWriter().write(gluing); },
+      [&](std::string&& text) { visit(text); }, progress);
+}
+
 std::vector<std::string> gluing_signatures(const GluingOptions& options, const Progress& progress) {
   std::vector<std::string> signatures;
   run<std::string>(
@@ -114,6 +127,30 @@ std::int64_t count_gluings(const GluingOptions& options, const Progress& progres
   run<Nothing>(
       options, [](const PartialGluing&) { return Nothing(); }, [&](Nothing&&) { ++count; }, progress);
   return count;
+}
+
+struct GluingUnits::Plan : SearchPlan {
+  using SearchPlan::SearchPlan;
+};
+
+GluingUnits::GluingUnits(const GluingOptions& options, const Progress& progress) {
+  require_sensible(options);
+  plan_ = std::make_unique<Plan>(options, progress);
+}
+GluingUnits::GluingUnits(GluingUnits&&) noexcept = default;
+GluingUnits::~GluingUnits() = default;
+
+int GluingUnits::size() const {
+  return static_cast<int>(plan_->beginnings.size());
+}
+
+std::vector<std::string> GluingUnits::signatures(int k, const Progress& progress) const {
+  std::vector<std::string> found;
+  GluingSearch(plan_->rules, progress)
+      .complete(plan_->beginnings[static_cast<std::size_t>(k)], plan_->length,
+                [&](const PartialGluing& gluing) { found.push_back(SignatureWriter().write(gluing)); });
+  std::sort(found.begin(), found.end());
+  return found;
 }
 
 } // namespace tetrarch::enumeration

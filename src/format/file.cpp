@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Reading and writing whole files, by POSIX calls: streams cannot tell why something failed.
+// Reading and writing whole files, by POSIX calls.
+#include "descriptor.hpp"
 #include "tetrarch/format/new_files.hpp"
 #include "tetrarch/format/text.hpp"
 
@@ -9,6 +10,7 @@
 #include <filesystem>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <set>
 #include <sys/stat.h>
 #include <system_error>
@@ -19,46 +21,10 @@ namespace tetrarch::format {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string reason(int error) {
-  return std::generic_category().message(error);
-}
-
-[[noreturn]] void fail(const std::string& path, const std::string& what) {
-  throw InputError(Place{source_name(path), 0}, what);
-}
-
-/// An open file that closes itself.
-class Descriptor {
-public:
-  explicit Descriptor(int fd) : fd_(fd) {}
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
-  ~Descriptor() {
-    if (fd_ > STDIN_FILENO) ::close(fd_);
-  }
-  int get() const { return fd_; }
-  /// 0, or the errno of a close that failed: some file systems report a full disk only now.
-  int close() {
-    const int result = ::close(fd_);
-    fd_ = -1;
-    return result == 0 ? 0 : errno;
-  }
-
-private:
-  int fd_;
-};
-
-/// 0 or an errno.
-int write_all(int fd, std::string_view content) {
-  while (!content.empty()) {
-    const ssize_t done = ::write(fd, content.data(), content.size());
-    if (done < 0 && errno == EINTR) continue;
-    if (done < 0) return errno;
-    content.remove_prefix(static_cast<std::size_t>(done));
-  }
-  return 0;
-}
+using detail::Descriptor;
+using detail::fail;
+using detail::reason;
+using detail::write_all;
 
 void write_directly(const std::string& path, std::string_view content) {
   Descriptor file(::open(path.c_str(), O_WRONLY | O_CLOEXEC));
@@ -127,18 +93,22 @@ void keep_folder_of(const std::string& path) {
 /// The new content of a file, written beside it; then put in its place, and taken back if others fail.
 class Replacement {
 public:
-  explicit Replacement(const NewFile& file)
-      : path_(file.path), target_(target_of(file.path)), beside_(target_), old_(target_) {
-    Descriptor opened(::open(beside_.name().c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
-    if (opened.get() < 0) fail(path_, "cannot be written: " + reason(errno));
+  explicit Replacement(const std::string& path)
+      : path_(path), target_(target_of(path)), beside_(target_), old_(target_),
+        opened_(::open(beside_.name().c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666)) {
+    if (opened_.get() < 0) fail(path_, "cannot be written: " + reason(errno));
     struct stat about {};
     existed_ = ::stat(target_.c_str(), &about) == 0;
-    if (existed_) ::fchmod(opened.get(), about.st_mode & 07777U);
-    int error = write_all(opened.get(), file.content);
-    if (error == 0 && ::fsync(opened.get()) != 0) error = errno;
-    const int close_error = opened.close();
-    if (error == 0) error = close_error;
-    if (error != 0) fail(path_, "cannot be written: " + reason(error));
+    if (existed_) ::fchmod(opened_.get(), about.st_mode & 07777U);
+  }
+
+  void write(std::string_view content) { require(write_all(opened_.get(), content)); }
+
+  /// Nothing is written any more; the disk has it all.
+  void finish() {
+    const int error = ::fsync(opened_.get()) != 0 ? errno : 0;
+    const int close_error = opened_.close();
+    require(error != 0 ? error : close_error);
   }
 
   /// 0 or an errno. With `can_go_back` the old file stays beside the new one as long as this lives.
@@ -158,6 +128,10 @@ public:
   const std::string& path() const { return path_; }
 
 private:
+  void require(int error) const {
+    if (error != 0) fail(path_, "cannot be written: " + reason(error));
+  }
+
   static std::string target_of(const std::string& path) {
     std::string target = behind_links(path);
     if (target.empty()) fail(path, "cannot be written: the link leads nowhere");
@@ -168,6 +142,7 @@ private:
   std::string target_;
   Beside beside_;
   Beside old_;
+  Descriptor opened_;
   bool existed_ = false;
   bool kept_old_ = false;
 };
@@ -224,8 +199,12 @@ void require_writable(const std::string& path) {
 
 void write_files_atomically(std::span<const NewFile> files) {
   std::vector<std::unique_ptr<Replacement>> replacements;
-  for (const NewFile& file : files)
-    if (!is_device(file.path)) replacements.push_back(std::make_unique<Replacement>(file));
+  for (const NewFile& file : files) {
+    if (is_device(file.path)) continue;
+    replacements.push_back(std::make_unique<Replacement>(file.path));
+    replacements.back()->write(file.content);
+    replacements.back()->finish();
+  }
   for (const NewFile& file : files)
     if (is_device(file.path)) write_directly(file.path, file.content);
   const bool can_go_back = replacements.size() > 1;
@@ -235,6 +214,34 @@ void write_files_atomically(std::span<const NewFile> files) {
     for (std::size_t done = k; done-- > 0;) replacements[done]->take_back();
     fail(replacements[k]->path(), "cannot be written: " + reason(error));
   }
+}
+
+struct GrowingFile::State {
+  std::optional<Replacement> beside; ///< nothing: a device
+  std::optional<Descriptor> device;
+};
+
+GrowingFile::GrowingFile(std::string path) : path_(std::move(path)), state_(std::make_unique<State>()) {
+  if (!is_device(path_)) {
+    state_->beside.emplace(path_);
+    return;
+  }
+  state_->device.emplace(::open(path_.c_str(), O_WRONLY | O_CLOEXEC));
+  if (state_->device->get() < 0) fail(path_, "cannot be written: " + reason(errno));
+}
+GrowingFile::~GrowingFile() = default;
+
+void GrowingFile::add(std::string_view content) {
+  if (state_->beside) return state_->beside->write(content);
+  const int error = write_all(state_->device->get(), content);
+  if (error != 0) fail(path_, "cannot be written: " + reason(error));
+}
+
+void GrowingFile::keep() {
+  if (!state_->beside) return;
+  state_->beside->finish();
+  const int error = state_->beside->put_in_place(false);
+  if (error != 0) fail(path_, "cannot be written: " + reason(error));
 }
 
 void write_file_atomically(const std::string& path, std::string_view content) {

@@ -53,6 +53,33 @@ std::vector<PerEdge<T>> read_per_edge(Part& metric, const char* key, Read read) 
   });
 }
 
+/// "01", "02", ..., "23", in either order of the two digits.
+int read_edge(const Json& value, const JsonPath& path) {
+  const std::string text = value.is_string() ? value.get<std::string>() : std::string();
+  const auto vertex = [&text](std::size_t k) { return text[k] >= '0' && text[k] <= '3' ? text[k] - '0' : 0; };
+  if (text.size() != 2 || vertex(0) == vertex(1) || edge_number[vertex(0)][vertex(1)] < 0)
+    fail_found(path, value, "an edge like \"01\"");
+  return edge_number[vertex(0)][vertex(1)];
+}
+
+Marks read_marks(Json& root, const Triangulation& tri) {
+  Json* const list = member(root, "marks");
+  if (list == nullptr) return {};
+  const JsonPath path{JsonStep("marks")};
+  const int last = tri.size() - 1;
+  Marks marks = take_list(*list, path, std::nullopt, "marks", [last](const Json& mark, const JsonPath& at) {
+    require_array(mark, at, 3, "entries: a tetrahedron, an edge, an order");
+    const int tet =
+        read_integer(mark[0], below(at, 0), 0, last, "a tetrahedron, 0 to " + std::to_string(last));
+    const EdgeMark read{{tet, read_edge(mark[1], below(at, 1))}, read_double(mark[2], below(at, 2))};
+    if (!is_edge_order(read.order)) fail_found(below(at, 2), mark[2], "0, 1 or a number above 1");
+    return read;
+  });
+  if (marks.empty()) return marks;
+  if (const std::string fault = fault_of(marks, Skeleton(tri)); !fault.empty()) fail(path, fault);
+  return marks;
+}
+
 std::optional<Number> read_length(const Json& value, const JsonPath& path) {
   if (value.is_null()) return std::nullopt;
   return read_number(value, path);
@@ -176,6 +203,7 @@ Document to_document(JsonTree tree) {
   document.triangulation = build(tree.gluings);
   document.name = read_text(tree.root, "name");
   const Triangulation& tri = document.triangulation;
+  document.marks = read_marks(tree.root, tri);
   document.metric = read_part(tree.root, "metric", tri, read_metric);
   document.canonical = read_part(tree.root, "canonical", tri, read_canonical);
   document.bundle = read_part(tree.root, "bundle", tri, read_bundle);

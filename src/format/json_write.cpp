@@ -60,6 +60,14 @@ private:
   int tetrahedra_;
 };
 
+std::optional<std::string> marks_text(const Document& document) {
+  return list_text(document.marks, 1, [](const EdgeMark& mark) {
+    const auto [i, j] = edge_vertex[mark.edge.edge];
+    return "[" + std::to_string(mark.edge.tet) + ", \"" + std::to_string(i) + std::to_string(j) + "\", " +
+           double_text(mark.order) + "]";
+  });
+}
+
 std::optional<std::string> metric_text(const Document& document) {
   if (!document.metric) return std::nullopt;
   const Metric& metric = *document.metric;
@@ -121,6 +129,7 @@ std::string write_json(const Document& document) {
   std::vector<JsonMember> members = first_members(json_format_tag, json_format_version, document.name);
   members.push_back({"tetrahedra", std::to_string(document.triangulation.size())});
   members.push_back({"gluings", gluings_text(document.triangulation)});
+  members.push_back({"marks", marks_text(document)});
   members.push_back({"metric", metric_text(document)});
   members.push_back({"canonical", canonical_text(document)});
   members.push_back({"bundle", bundle_text(document)});

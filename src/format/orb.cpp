@@ -33,8 +33,7 @@ public:
     document.name = read_head();
     read_edges();
     document.triangulation = triangulation();
-    document.passed_over.note("singular order of an edge, of which the underlying manifold has none",
-                              singular_);
+    document.marks = std::move(marks_);
     return document;
   }
 
@@ -63,11 +62,15 @@ private:
     const std::string_view order = tokens.next();
     const std::optional<double> value = parse_double(order);
     if (!value) fail(order, "a singular order");
-    if (*value != 1) ++singular_;
+    if (!is_edge_order(*value)) fail(order, "a singular order: 0, 1 or a number above 1");
     for (int i = 0; vertices_known_ && i < 2; ++i) integer(tokens.next(), {}, "the number of a vertex");
     std::string_view token = tokens.next();
     if (token.empty()) fail(token, "a tetrahedron at the edge, like 2xv");
+    const std::size_t first = steps_.size();
     for (; !token.empty(); token = tokens.next()) steps_.push_back(step(token));
+    // The two faces meet in the edge of the other two vertices.
+    if (const Step& s = steps_[first]; *value != 1)
+      marks_.push_back({{static_cast<int>(s.tet), opposite_edge(edge_number[s.out][s.in])}, *value});
     start_.push_back(steps_.size());
   }
 
@@ -155,7 +158,7 @@ private:
   std::vector<std::size_t> start_{0}; ///< in steps_, of each edge and of the end
   std::vector<Step> steps_;
   GluingTable table_;
-  int singular_ = 0;
+  Marks marks_;
 };
 
 } // namespace

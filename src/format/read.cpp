@@ -154,7 +154,9 @@ Document read_document(const std::string& path) {
   return read_any(read_file(path), source_name(path));
 }
 
-Written write_any(const Document& document, FileFormat format) {
+namespace {
+
+Written write_without_warning(const Document& document, FileFormat format) {
   switch (format) {
   case FileFormat::json:
     return {write_json(document), {}};
@@ -170,6 +172,16 @@ Written write_any(const Document& document, FileFormat format) {
                      " is read only, expected json, snappea, signature or fmp");
   }
   throw PreconditionError("no such file format");
+}
+
+} // namespace
+
+Written write_any(const Document& document, FileFormat format) {
+  Written written = write_without_warning(document, format);
+  if (format != FileFormat::json && !document.marks.empty())
+    written.warnings.push_back("the orders of " + std::to_string(document.marks.size()) +
+                               " edges are left out: only JSON holds them");
+  return written;
 }
 
 } // namespace tetrarch::format

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "tetrarch/format/records.hpp"
 
+#include "descriptor.hpp"
 #include "tetrarch/core/error.hpp"
 #include "tetrarch/format/text.hpp"
 
@@ -14,11 +15,13 @@
 #include <mutex>
 #include <string_view>
 #include <sys/file.h>
-#include <system_error>
 #include <unistd.h>
 
 namespace tetrarch::format {
 namespace {
+
+using detail::fail;
+using detail::reason;
 
 constexpr std::string_view first_word = "tetrarch-records 1 ";
 constexpr std::size_t sum_length = 8;
@@ -32,14 +35,6 @@ std::string checksum(std::string_view text) {
   return {digits.data(), sum_length};
 }
 
-[[noreturn]] void fail(const std::string& path, const std::string& what) {
-  throw InputError(Place{path, 0}, what);
-}
-
-std::string reason(int error) {
-  return std::generic_category().message(error);
-}
-
 int opened(const std::string& path, Records::Open how) {
   const int flags = how == Records::Open::read ? O_RDONLY : O_RDWR | O_CREAT;
   const int fd = ::open(path.c_str(), flags | O_CLOEXEC, 0666);
@@ -51,19 +46,16 @@ int opened(const std::string& path, Records::Open how) {
 
 struct Records::State {
   std::string path;
-  int fd = -1;
+  detail::Descriptor file;
   off_t end = 0; ///< of the last whole record
   std::map<std::string, std::string> texts;
   int damaged = 0;
   mutable std::mutex mutex;
 
-  State(std::string name, Open how) : path(std::move(name)), fd(opened(path, how)) {}
-  State(const State&) = delete;
-  State& operator=(const State&) = delete;
-  ~State() { ::close(fd); }
+  State(std::string name, Open how) : path(std::move(name)), file(opened(path, how)) {}
 
   void lock() const {
-    if (::flock(fd, LOCK_EX | LOCK_NB) != 0) fail(path, "another process is writing here");
+    if (::flock(file.get(), LOCK_EX | LOCK_NB) != 0) fail(path, "another process is writing here");
   }
 
   /// A line without its end: whether it is a whole record, which is kept.
@@ -98,19 +90,10 @@ struct Records::State {
 
   /// At the end; what cannot be written whole is taken back.
   void append(std::string_view line) {
-    std::string_view left = line;
-    int error = 0;
-    while (!left.empty() && error == 0) {
-      const ssize_t done =
-          ::pwrite(fd, left.data(), left.size(), end + static_cast<off_t>(line.size() - left.size()));
-      if (done >= 0)
-        left.remove_prefix(static_cast<std::size_t>(done));
-      else if (errno != EINTR)
-        error = errno;
-    }
-    if (error == 0 && ::fdatasync(fd) != 0) error = errno;
+    int error = ::lseek(file.get(), end, SEEK_SET) < 0 ? errno : detail::write_all(file.get(), line);
+    if (error == 0 && ::fdatasync(file.get()) != 0) error = errno;
     if (error != 0) {
-      if (::ftruncate(fd, end) != 0) error = errno;
+      if (::ftruncate(file.get(), end) != 0) error = errno;
       fail(path, "cannot be written: " + reason(error));
     }
     end += static_cast<off_t>(line.size());
@@ -123,7 +106,7 @@ Records::Records(const std::string& path, const std::string& heading, Open how)
   state_->read(heading);
   if (how == Open::read) return;
   if (how == Open::fresh && !state_->texts.empty()) fail(path, "holds records already, expected none");
-  if (::ftruncate(state_->fd, state_->end) != 0) fail(path, "cannot be written: " + reason(errno));
+  if (::ftruncate(state_->file.get(), state_->end) != 0) fail(path, "cannot be written: " + reason(errno));
   if (state_->end == 0) state_->append(std::string(first_word) + heading + "\n");
 }
 

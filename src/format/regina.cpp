@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <limits>
 
 namespace tetrarch::format {
 namespace {
@@ -33,8 +34,10 @@ std::optional<Perm4> perm_of_number(std::int64_t number) {
   return parity_fits ? same : Perm4::from_rank(static_cast<int>(number ^ 1));
 }
 
+/// A byte of four images, two bits each; the oldest files write it as a signed one.
 std::optional<Perm4> perm_of_images(std::int64_t code) {
-  if (code < 0 || code > 255) return std::nullopt;
+  if (code < std::numeric_limits<std::int8_t>::min() || code > std::numeric_limits<std::uint8_t>::max())
+    return std::nullopt;
   std::string digits;
   for (int v = 0; v < 4; ++v) digits += static_cast<char>('0' + (code >> (2 * v) & 3));
   return parse_perm(digits);
@@ -163,17 +166,17 @@ private:
   std::array<Gluing, 4> gluings(const pugi::xml_node& node, const Generation& generation) const {
     std::array<Gluing, 4> faces{};
     TextCursor in(node.text().get(), source_);
-    const auto next = [&](const char* expected) {
+    const auto next = [&](const char* expected, std::int64_t least) {
       const std::string_view token = in.peek();
       if (!token.empty()) in.token("");
       const std::optional<std::int64_t> value = parse_integer(token);
-      if (!value || *value < -1 || *value >= most_tetrahedra)
+      if (!value || *value < least || *value >= most_tetrahedra)
         throw InputError(place(node), found_expected(token, expected));
       return *value;
     };
     for (Gluing& g : faces) {
-      g.tet = static_cast<int>(next("a neighbor"));
-      const std::int64_t code = next("a permutation");
+      g.tet = static_cast<int>(next("a neighbor", -1));
+      const std::int64_t code = next("a permutation", std::numeric_limits<std::int8_t>::min());
       if (g.tet < 0) continue;
       const std::optional<Perm4> perm = generation.by_number ? perm_of_number(code) : perm_of_images(code);
       if (!perm) throw InputError(place(node), found_expected(std::to_string(code), "a permutation"));

@@ -2,11 +2,13 @@
 #include "tetrarch/hex/deviation.hpp"
 
 #include "tetrarch/hex/layers.hpp"
+#include "tetrarch/numeric/nearest_triangle.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace tetrarch::hex {
@@ -59,11 +61,12 @@ std::vector<std::array<Point, 3>> boundary_triangles(const product::Solid& solid
   return result;
 }
 
-Deviation deviation(const product::Solid& solid, const product::HexMesh& mesh) {
-  return deviation(boundary_triangles(solid), mesh);
+Deviation deviation(const product::Solid& solid, const product::HexMesh& mesh, const Progress& progress) {
+  return deviation(boundary_triangles(solid), mesh, progress);
 }
 
-Deviation deviation(std::vector<std::array<Point, 3>> boundary, const product::HexMesh& mesh) {
+Deviation deviation(std::vector<std::array<Point, 3>> boundary, const product::HexMesh& mesh,
+                    const Progress& progress) {
   Sampled hexahedra = sampled(mesh);
   Deviation result;
   Point least = boundary.front().front();
@@ -77,7 +80,9 @@ Deviation deviation(std::vector<std::array<Point, 3>> boundary, const product::H
   result.diagonal = distance(least, most);
   const double spacing = std::max(hexahedra.mean_edge / 2, result.diagonal / 1000);
   const NearestTriangle of_hexahedra(std::move(hexahedra.triangles));
+  std::int64_t asked = 0;
   const auto measure = [&](const NearestTriangle& to, const Point& p, double& greatest, Point& at) {
+    if (++asked % 1024 == 0) progress.step("distance");
     const double d = to.nearest(p).distance;
     if (d <= greatest) return;
     greatest = d;

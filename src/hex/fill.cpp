@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "tetrarch/hex/fill.hpp"
 
+#include "start.hpp"
 #include "tetrarch/hex/fit.hpp"
 #include "tetrarch/hex/match.hpp"
 #include "tetrarch/product/smooth.hpp"
@@ -9,6 +10,9 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdio>
+#include <cstdlib>
+#include <ctime>
 #include <utility>
 #include <vector>
 
@@ -38,25 +42,6 @@ double area_of(const product::Solid& solid) {
     area += norm(cross(solid.point(solid.corner(t, 1)) - p, solid.point(solid.corner(t, 2)) - p)) / 2;
   }
   return area;
-}
-
-/// Where flat patches lie that face along an axis: there the grid gets a plane.
-std::array<std::vector<double>, 3> flat_sides(const Targets& targets) {
-  constexpr double along = 0.9999;
-  std::array<std::vector<double>, 3> result;
-  const Features& features = targets.features();
-  std::vector<Vector> least(static_cast<std::size_t>(features.patches), {1, 1, 1});
-  std::vector<Point> at(least.size());
-  for (int t = 0; t < targets.whole().size(); ++t) {
-    const int p = features.patch[t];
-    for (std::size_t a = 0; a < 3; ++a)
-      least[p][a] = std::min(least[p][a], std::abs(targets.whole().normal(t)[a]));
-    at[p] = targets.whole().corners(t)[0];
-  }
-  for (std::size_t p = 0; p < least.size(); ++p)
-    for (std::size_t a = 0; a < 3; ++a)
-      if (least[p][a] > along) result[a].push_back(at[p][a]);
-  return result;
 }
 
 /// A mesh and where its points belong.
@@ -106,8 +91,9 @@ void add_layers(Fitted& fitted, const Match& match, double edge) {
 void improve(Fitted& fitted, const Targets& targets, const Progress& progress) {
   product::HexMesh& mesh = fitted.hexahedra.mesh;
   const std::vector<Vector> normals = surface_normals(mesh);
-  std::vector<char> fixed(mesh.points.size());
-  for (std::size_t v = 0; v < fixed.size(); ++v) fixed[v] = fitted.home[v].kind == Home::Kind::corner;
+  std::vector<char> fixed = deep_points(mesh, fitted.home);
+  for (std::size_t v = 0; v < fixed.size(); ++v)
+    if (fitted.home[v].kind == Home::Kind::corner) fixed[v] = 1;
   product::SmoothOptions options;
   options.most_sweeps = 12;
   options.search_below = 0.4;
@@ -115,29 +101,8 @@ void improve(Fitted& fitted, const Targets& targets, const Progress& progress) {
     return fitted.home[v].kind == Home::Kind::inside ? p : targets.place(fitted.home[v], p, &normals[v]).at;
   };
   product::smooth(mesh, fixed, options, progress);
-  land(mesh, fitted.home, targets);
+  land(mesh, fitted.home, targets, progress);
   fitted.quality = product::quality(mesh);
-}
-
-/// The cells of a grid that is fine enough.
-struct Start {
-  SizedHexahedra hexahedra;
-  double edge = 0;
-  int refinements = 0;
-};
-
-std::optional<SizedHexahedra> cells_in(const product::Solid& solid, const Targets& targets, double edge,
-                                       const Progress& progress) {
-  const int genus = product::genus(solid);
-  const auto sides = flat_sides(targets);
-  // Flat cells, as the second grid may have them, are for solids that are thin between flat sides.
-  for (const double apart : {0.4, 0.001}) {
-    const Grid grid = grid_around(solid.mesh.points, edge, sides, apart);
-    const std::vector<float> full = filled(solid, solid.mesh.points, grid, progress);
-    for (const double least : {0.5, 0.35, 0.65, 0.2, 0.8})
-      if (const auto chosen = chosen_cells(grid, full, genus, least)) return cells_of(grid, *chosen);
-  }
-  return std::nullopt;
 }
 
 Fitted fitted(Fitted start, const Match& match, bool with_layers, double edge, const Targets& targets,
@@ -173,11 +138,11 @@ Fitted best_fit(const SizedHexahedra& cells, const Match& match, double edge, co
   return *std::move(best);
 }
 
-Filling measured(const product::Solid& solid, Fitted fitted, double edge) {
+Filling measured(const product::Solid& solid, Fitted fitted, double edge, const Progress& progress) {
   Filling result;
   result.mesh = std::move(fitted.hexahedra.mesh);
   result.quality = std::move(fitted.quality);
-  result.deviation = deviation(solid, result.mesh);
+  result.deviation = deviation(solid, result.mesh, progress);
   result.volume = product::volume(result.mesh);
   result.solid_volume = product::volume(solid);
   result.edge = edge;
@@ -188,25 +153,41 @@ Filling measured(const product::Solid& solid, Fitted fitted, double edge) {
 /// With one length of edges; nothing where the grid has not the solid's genus.
 std::optional<Filling> filled_with(const product::Solid& solid, double edge, const FillOptions& options,
                                    const Progress& progress) {
-  const Targets targets(solid, features(solid, {.sharp = options.sharp, .least_extent = edge}));
+  const Features all = features(solid, {.sharp = options.sharp, .least_extent = edge});
+  const Targets targets(solid, all);
   std::optional<SizedHexahedra> cells = cells_in(solid, targets, edge, progress);
   if (!cells) return std::nullopt;
-  Match match = unmatched(cells->mesh);
   FitOptions gently;
   gently.rounds = 5;
   gently.weakest = 1;
   gently.strongest = 30;
   gently.iterations = 30;
   gently.ends_there = false;
-  fit(*cells, match.home, targets, gently, progress);
-  std::optional<Match> found = matched(cells->mesh, solid, targets);
-  const int ridges = static_cast<int>(targets.features().ridges.size());
-  const bool is_matched = found.has_value();
-  if (found) match = *std::move(found);
-  Filling filling = measured(solid, best_fit(*cells, match, edge, targets, progress), edge);
-  filling.ridges_of_solid = ridges;
-  filling.ridges = is_matched ? ridges : 0;
-  return filling;
+  fit(*cells, unmatched(cells->mesh).home, targets, gently, progress);
+  const auto made = [&](const Match& match, const Targets& on) {
+    Filling filling = measured(solid, best_fit(*cells, match, edge, on, progress), edge, progress);
+    filling.ridges_of_solid = static_cast<int>(all.ridges.size());
+    return filling;
+  };
+  if (const auto match = matched(cells->mesh, solid, targets, progress)) {
+    Filling filling = made(*match, targets);
+    filling.ridges = filling.ridges_of_solid;
+    return filling;
+  }
+  // Where not all ridges find their ways the sharper ones may.
+  for (const double sharper : {60.0, 80.0}) {
+    if (sharper <= options.sharp) continue;
+    const Targets fewer(solid, features(solid, {.sharp = sharper, .least_extent = 2 * edge}));
+    const int ridges = static_cast<int>(fewer.features().ridges.size());
+    if (ridges == 0) break;
+    if (const auto match = matched(cells->mesh, solid, fewer, progress)) {
+      Filling filling = made(*match, fewer);
+      filling.ridges = ridges;
+      return filling;
+    }
+  }
+  const Targets smooth(solid, features(solid, {.sharp = 180}));
+  return made(unmatched(cells->mesh), smooth);
 }
 
 /// How many of volume and distance are off by more than is tolerated.
@@ -217,11 +198,26 @@ int intolerable(const Filling& filling, const FillOptions& options) {
   return count;
 }
 
+/// Of the edges: the step to the next grid is no smaller, and all steps together no larger.
+constexpr double coarsest_step = 0.8;
+constexpr double finest_step = 0.6;
+constexpr double finest_part = 0.35;
+
+/// By what part the next grid's edges are shorter: the distance between surfaces falls at least as they do.
+double finer_part(const Filling& found, const FillOptions& options) {
+  const double off = found.deviation.relative() / options.hausdorff_tolerance;
+  if (!(off > 0)) return coarsest_step; // nor where both are 0
+  return std::clamp(1 / std::sqrt(off), finest_step, coarsest_step);
+}
+
 bool is_preferred(const Filling& a, const Filling& b, const FillOptions& options) {
   if (a.quality.bad.size() != b.quality.bad.size()) return a.quality.bad.size() < b.quality.bad.size();
   const int off_a = intolerable(a, options);
   const int off_b = intolerable(b, options);
-  return off_a != off_b ? off_a < off_b : a.quality.minimum > b.quality.minimum;
+  if (off_a != off_b) return off_a < off_b;
+  if (off_a > 0 && std::min(a.quality.minimum, b.quality.minimum) > 0)
+    return a.deviation.relative() < b.deviation.relative();
+  return a.quality.minimum > b.quality.minimum;
 }
 
 } // namespace
@@ -257,18 +253,22 @@ double bytes_for_edge(const product::Solid& solid, double edge) {
 
 std::optional<Filling> fill(const product::Solid& solid, const FillOptions& options,
                             const Progress& progress) {
+  int refinements = 0;
   double edge = options.edge ? *options.edge : edge_for(solid, options.cells.value_or(usual_cells));
-  constexpr double finer = 0.8;
-  constexpr int most_refinements = 6;
-  constexpr int most_fits = 3;
+  const double finest = edge * finest_part;
   std::optional<Filling> best;
-  for (int k = 0, fits = 0; k <= most_refinements && fits < most_fits; ++k, edge *= finer) {
+  while (true) {
     std::optional<Filling> found = filled_with(solid, edge, options, progress);
-    if (!found) continue;
-    ++fits;
-    found->refinements = k;
-    if (!best || is_preferred(*found, *best, options)) best = std::move(found);
-    if (best->is_good(options)) break;
+    if (found) {
+      found->refinements = refinements;
+      const double finer = finer_part(*found, options);
+      if (!best || is_preferred(*found, *best, options)) best = std::move(found);
+      if (best->is_good(options)) break;
+      edge *= finer;
+    } else
+      edge *= coarsest_step;
+    ++refinements;
+    if (edge < finest || bytes_for_edge(solid, edge) > options.most_bytes) break;
   }
   return best;
 }

@@ -2,6 +2,7 @@
 #include "tetrarch/hex/fit.hpp"
 
 #include "tetrarch/hex/layers.hpp"
+#include "tetrarch/hex/reach.hpp"
 #include "tetrarch/unfold/unfold.hpp"
 
 #include <algorithm>
@@ -14,29 +15,14 @@ namespace tetrarch::hex {
 namespace {
 
 using namespace numeric;
-using product::corner_neighbors;
 using unfold::Freedom;
 
-/// The corners of the unit cube, as those of a hexahedron are numbered.
-constexpr std::array<Point, 8> unit_cube{
-    {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}}};
-
-std::vector<unfold::Element> elements_of(const SizedHexahedra& hexahedra) {
-  std::vector<unfold::Element> elements;
-  elements.reserve(8 * hexahedra.lengths.size());
+std::vector<unfold::Brick> bricks_of(const SizedHexahedra& hexahedra) {
+  std::vector<unfold::Brick> bricks;
+  bricks.reserve(hexahedra.lengths.size());
   for (std::size_t h = 0; h < hexahedra.lengths.size(); ++h)
-    for (std::size_t c = 0; c < 8; ++c) {
-      std::array<int, 4> corner{hexahedra.mesh.hexahedra[h][c]};
-      std::array<Vector, 3> edge{};
-      for (std::size_t k = 0; k < 3; ++k) {
-        const int n = corner_neighbors[c][k];
-        corner[k + 1] = hexahedra.mesh.hexahedra[h][n];
-        edge[k] = unit_cube[n] - unit_cube[c];
-        for (std::size_t a = 0; a < 3; ++a) edge[k][a] *= hexahedra.lengths[h][a];
-      }
-      elements.push_back(unfold::element(corner, edge));
-    }
-  return elements;
+    bricks.push_back(unfold::brick(hexahedra.mesh.hexahedra[h], hexahedra.lengths[h]));
+  return bricks;
 }
 
 double mean_length(const SizedHexahedra& hexahedra) {
@@ -76,6 +62,21 @@ void settle(unfold::Problem problem, const std::vector<Home>& home, product::Hex
 
 } // namespace
 
+std::vector<char> deep_points(const product::HexMesh& mesh, const std::vector<Home>& home) {
+  constexpr int layers = 6;
+  std::vector<char> deep(home.size(), 1);
+  for (std::size_t v = 0; v < home.size(); ++v)
+    if (home[v].kind != Home::Kind::inside) deep[v] = 0;
+  for (int layer = 0; layer < layers; ++layer) {
+    std::vector<char> next = deep;
+    for (const product::Hexahedron& h : mesh.hexahedra)
+      if (std::any_of(h.begin(), h.end(), [&](int v) { return deep[v] == 0; }))
+        for (const int v : h) next[v] = 0;
+    deep = std::move(next);
+  }
+  return deep;
+}
+
 std::vector<Vector> surface_normals(const product::HexMesh& mesh) {
   std::vector<Vector> normal(mesh.points.size(), Vector{});
   for (const SurfaceSquare& s : surface_of(mesh)) {
@@ -93,8 +94,11 @@ void fit(SizedHexahedra& hexahedra, const std::vector<Home>& home, const Targets
          const FitOptions& options, const Progress& progress) {
   product::HexMesh& mesh = hexahedra.mesh;
   unfold::Problem problem;
-  problem.elements = elements_of(hexahedra);
+  problem.bricks = bricks_of(hexahedra);
   problem.freedom.assign(mesh.points.size(), {});
+  const std::vector<char> deep = deep_points(mesh, home);
+  for (std::size_t v = 0; v < home.size(); ++v)
+    if (deep[v] != 0) problem.freedom[v].kind = Freedom::Kind::fixed;
   const double size = mean_length(hexahedra);
   unfold::Options descent;
   descent.iterations = options.iterations;
@@ -103,6 +107,12 @@ void fit(SizedHexahedra& hexahedra, const std::vector<Home>& home, const Targets
   descent.reach = 0.01;
   settle(problem, home, mesh, progress);
   constexpr double spoiled = 0.05; // scaled Jacobian
+  // In terms of a cell: what the solid sticks out by without asking, and by how much it draws in a round.
+  constexpr double unnoticed = 0.1;
+  constexpr double longest_way = 1;
+  constexpr double of_reach = 0.3; // part of the springs' weight
+  constexpr double strongest_reach = 100;
+  const std::vector<SurfaceSample> samples = surface_samples(targets, size / 2);
   bool was_good = false;
   for (int round = 0; round < options.rounds; ++round) {
     progress.step("fitting", round / static_cast<double>(options.rounds));
@@ -117,6 +127,14 @@ void fit(SizedHexahedra& hexahedra, const std::vector<Home>& home, const Targets
       problem.pulls.push_back(
           {static_cast<int>(v), {freedom_of(home[v].kind), place.direction}, place.at, weight});
     }
+    const std::vector<Vector> way =
+        reach(mesh, samples, unnoticed * size, longest_way * size, progress.silent());
+    for (std::size_t v = 0; v < home.size(); ++v)
+      if (way[v] != Vector{} && (home[v].kind == Home::Kind::surface || home[v].kind == Home::Kind::patch))
+        problem.pulls.push_back({static_cast<int>(v),
+                                 {Freedom::Kind::fixed, {}},
+                                 mesh.points[v] + way[v],
+                                 of_reach * std::min(weight, strongest_reach / (size * size))});
     if (round + 1 == options.rounds) {
       descent.most_rounds = 8;
       descent.flat /= 10;
@@ -131,10 +149,11 @@ void fit(SizedHexahedra& hexahedra, const std::vector<Home>& home, const Targets
     }
     was_good = least >= spoiled;
   }
-  if (options.ends_there) land(mesh, home, targets);
+  if (options.ends_there) land(mesh, home, targets, progress);
 }
 
-int land(product::HexMesh& mesh, const std::vector<Home>& home, const Targets& targets) {
+int land(product::HexMesh& mesh, const std::vector<Home>& home, const Targets& targets,
+         const Progress& progress) {
   constexpr int most_halvings = 5;
   constexpr double least = 0.2; // what a hexahedron must keep, unless it had less
   const std::vector<Vector> normals = surface_normals(mesh);
@@ -145,6 +164,7 @@ int land(product::HexMesh& mesh, const std::vector<Home>& home, const Targets& t
   const product::HexQuality before = product::quality(mesh);
   std::vector<int> halvings(start.size());
   for (bool is_done = false; !is_done;) {
+    progress.step("fitting");
     is_done = true;
     for (std::size_t v = 0; v < start.size(); ++v)
       mesh.points[v] = halvings[v] > most_halvings ? start[v]

@@ -84,10 +84,12 @@ public:
 
   /// Ridges are sought in this order. The ridge that found no way is returned; -1: all did, and the patches
   /// came out; -2: there is no match in any order.
-  int run(const std::vector<int>& order) {
+  int run(const std::vector<int>& order, const Progress& progress) {
     if (!place_corners()) return -2;
-    for (const int r : order)
+    for (const int r : order) {
+      progress.step("ridges");
       if (!place_ridge(r)) return r;
+    }
     if (!fill_patches()) return -2;
     find_cramped();
     find_folded();
@@ -322,7 +324,7 @@ Match unmatched(const product::HexMesh& mesh) {
 }
 
 std::optional<Match> matched(const product::HexMesh& mesh, const product::Solid& solid,
-                             const Targets& targets) {
+                             const Targets& targets, const Progress& progress) {
   std::vector<std::pair<double, int>> by_length;
   by_length.reserve(targets.features().ridges.size());
   for (int r = 0; r < static_cast<int>(targets.features().ridges.size()); ++r)
@@ -335,7 +337,7 @@ std::optional<Match> matched(const product::HexMesh& mesh, const product::Solid&
   constexpr int most_attempts = 12;
   for (int attempt = 0; attempt < most_attempts; ++attempt) {
     Matcher matcher(mesh, solid, targets);
-    const int failed = matcher.run(order);
+    const int failed = matcher.run(order, progress);
     if (failed == -1) return matcher.take();
     if (failed == -2 || (attempt > 0 && order.front() == failed)) break;
     order.erase(std::find(order.begin(), order.end(), failed));

@@ -74,14 +74,14 @@ void set_angle(AngleData<Scalar>& data, int e, const BoundedShape<Scalar>& bound
 
 template <class Scalar>
 std::optional<AngleData<Scalar>> angle_data(const std::array<kernel::EdgeForm<Scalar>, 6>& form,
-                                            const VertexTypes& types) {
+                                            const VertexTypes& types, const kernel::NullEdges& null) {
   using std::atan2;
   const BoundedShape<Scalar> bounded(kernel::gram(form, types));
   if (!bounded.shape.exists) return std::nullopt;
   AngleData<Scalar> data;
   Scalar products = 0;
   for (int e = 0; e < 6; ++e) {
-    if (!(form[e].g > 0)) return std::nullopt; // two truncating planes that touch or cross
+    if (!null[e] && !(form[e].g > 0)) return std::nullopt; // two truncating planes that touch or cross
     set_angle(data, e, bounded, form[e].g);
     if (e < 3) products += form[e].g * form[opposite_edge(e)].g;
   }
@@ -92,7 +92,7 @@ std::optional<AngleData<Scalar>> angle_data(const std::array<kernel::EdgeForm<Sc
 
 #define TETRARCH_INSTANTIATE(Scalar)                                                                         \
   template std::optional<AngleData<Scalar>> angle_data(const std::array<kernel::EdgeForm<Scalar>, 6>&,       \
-                                                       const VertexTypes&);
+                                                       const VertexTypes&, const kernel::NullEdges&);
 TETRARCH_FOR_EACH_FORMULA(TETRARCH_INSTANTIATE)
 #undef TETRARCH_INSTANTIATE
 

@@ -30,11 +30,11 @@ struct AngleData {
   Scalar spread_error = 0;
 };
 
-/// Of a tetrahedron that exists, or nothing. The errors are those of rounding: the lengths count as exact,
-/// and `form` as theirs within four units.
+/// Of a tetrahedron that exists, or nothing; `null` edges are meant to have g = 0, others not. The errors are
+/// those of rounding: the lengths count as exact, and `form` as theirs within four units.
 template <class Scalar>
 std::optional<AngleData<Scalar>> angle_data(const std::array<kernel::EdgeForm<Scalar>, 6>& form,
-                                            const VertexTypes& types);
+                                            const VertexTypes& types, const kernel::NullEdges& null = {});
 
 /// From angles alone; without error bounds. Nothing where they belong to no hyperbolic tetrahedron.
 template <class Scalar>
@@ -68,6 +68,7 @@ struct VolumePart {
 /// 1e-13 is computed in 60 digits.
 template <class Scalar>
 std::optional<VolumePart<Scalar>> volume_part(const SixNumbers<Scalar>& lengths, const VertexTypes& types,
-                                              const std::array<kernel::EdgeForm<Scalar>, 6>& form);
+                                              const std::array<kernel::EdgeForm<Scalar>, 6>& form,
+                                              const kernel::NullEdges& null = {});
 
 } // namespace tetrarch::hyperbolic

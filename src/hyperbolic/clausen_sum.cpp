@@ -124,6 +124,17 @@ private:
   Scalar re_error_ = 0, sines_error_ = 0, bends_error_ = 0;
 };
 
+/// How much Cl can change between two arguments within three drifts of 0, where its slope is infinite:
+/// |Cl(x)| <= |x| (1 - log |x|) for |x| <= 1. At an ideal vertex that a null edge meets, an argument is 0
+/// exactly.
+template <class Scalar>
+Scalar beside_zero(const Scalar& drift) {
+  using std::log;
+  if (!(drift > 0)) return 0;
+  if (!(3 * drift < 1)) return std::numeric_limits<Scalar>::infinity();
+  return 6 * drift * (1 - log(Scalar(3 * drift)));
+}
+
 /// Twice Im U(exp(i zeta)) as it adds up.
 template <class Scalar>
 class RootSum {
@@ -151,11 +162,11 @@ private:
     const Scalar weight = times < 0 ? -times : times;
     // |Cl''(phi)| = |cot(phi/2)| / 2 <= 1 / |phi|; the segment to the exact argument stays beyond half of it.
     const Scalar drift = x.error + zeta_error_ + rounding;
-    const Scalar second = 2 * drift <= term.distance ? Scalar(drift * drift / term.distance)
-                                                     : std::numeric_limits<Scalar>::infinity();
+    const bool beside_0 = !(2 * drift <= term.distance);
+    const Scalar second = beside_0 ? beside_zero(drift) : Scalar(drift * drift / term.distance);
     value += times * term.value;
     error += weight * (term.error + second + 8 * numeric::unit<Scalar>() * abs(term.value));
-    slopes += weight * static_cast<int>(x.size > 0 ? 4 : 0) * term.slope;
+    if (!beside_0) slopes += weight * static_cast<int>(x.size > 0 ? 4 : 0) * term.slope;
   }
 
   Scalar zeta_;

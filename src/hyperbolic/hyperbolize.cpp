@@ -173,7 +173,7 @@ std::string describe(const Hyperbolization<double>& result, const Skeleton& skel
     return "not hyperbolic: the link of " + vertex + " is a projective plane";
   case Outcome::finite_vertices:
     return is_closed_manifold(skeleton)
-               ? "undecided: the manifold is closed, and structures of closed manifolds are not offered yet"
+               ? "undecided: the manifold is closed, and has no vertex to remove (solve_orbifold serves it)"
                : "undecided: the link of " + vertex + " is a sphere; remove such vertices first";
   case Outcome::boundary_faces:
     return "undecided: " + std::to_string(skeleton.boundary_face_count()) +

@@ -48,6 +48,16 @@ EdgeForm<Scalar> edge_form(VertexType a, VertexType b, const Scalar& length) {
   return {-cosh(length), sinh(length)};
 }
 
+/// Of an edge whose two truncating planes touch, or of one with an ideal end on the other's plane. No angle
+/// depends on it: they are 0 there.
+template <class Scalar>
+EdgeForm<Scalar> null_form(VertexType a, VertexType b) {
+  return {Scalar(a == VertexType::ideal || b == VertexType::ideal ? 0 : -1), Scalar(0)};
+}
+
+/// Which of a tetrahedron's edges are null.
+using NullEdges = std::array<bool, 6>;
+
 /// Of the six edges of a tetrahedron.
 template <class Scalar>
 std::array<EdgeForm<Scalar>, 6> edge_forms(const SixNumbers<Scalar>& lengths, const VertexTypes& types) {

@@ -30,6 +30,8 @@ void NewtonSystem<Scalar>::assemble(const Problem& problem, const State<Scalar>&
       for (int f = 0; f < 6; ++f)
         if (edge[f] <= edge[e]) hessian_[edge[e] * size_ + edge[f]] += state.jacobian[t][e][f];
   }
+  for (int e = 0; e < size_; ++e)
+    if (problem.is_null(e)) hessian_[e * size_ + e] = 1; // no unknown: its step is 0
   for (const std::vector<int>& u : problem.ends_at_cusp)
     for (int i = 0; i < size_; ++i)
       for (int j = 0; j <= i; ++j) hessian_[i * size_ + j] += u[i] * u[j];

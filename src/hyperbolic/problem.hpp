@@ -4,26 +4,34 @@
 /// What the solvers need of a gluing, laid out flat; and the state they move through.
 
 #include "kernel.hpp"
-#include "tetrarch/core/skeleton.hpp"
+#include "tetrarch/core/marks.hpp"
 #include "tetrarch/hyperbolic/metric.hpp"
 
 #include <vector>
 
 namespace tetrarch::hyperbolic {
 
-/// A closed gluing without finite vertices, as equations K_e(l) = 0.
+/// A closed gluing as equations K_e(l) = 0. Null edges (order 0) have no equation; their length is no
+/// unknown, and is kept at 0.
 struct Problem {
   struct Tet {
     std::array<int, 6> edge;
+    std::array<int, 4> vertex;
     VertexTypes types;
+    /// -1: turned over; its angles count negatively, and those beyond a right angle as 2 pi less that.
+    int orientation = 1;
   };
   std::vector<Tet> tets;
+  std::vector<double> order;                   ///< of each edge class: its angle is to be 2 pi / order
   std::vector<std::array<VertexType, 2>> ends; ///< the vertex types at the ends of each edge class
   /// ends_at_cusp[c][e]: how many ends of edge e lie in cusp c. Moving the horosphere of cusp c adds a
   /// multiple of this vector to the lengths and changes no angle.
   std::vector<std::vector<int>> ends_at_cusp;
 
   explicit Problem(const Skeleton& skeleton);
+  Problem(const Skeleton& skeleton, const Table<VertexId, VertexType>& types, const EdgeOrders& orders);
+  bool is_null(int e) const { return order[e] == 0; }
+  kernel::NullEdges null_edges(const Tet& tet) const;
   int edges() const { return static_cast<int>(ends.size()); }
 };
 

@@ -65,6 +65,8 @@ void SparseSystem::solve(const Problem& problem, const State<double>& state, std
       for (int f = 0; f < 6; ++f)
         if (edge[f] <= edge[e]) p.entries.emplace_back(edge[e], edge[f], state.jacobian[t][e][f]);
   }
+  for (int e = 0; e < problem.edges(); ++e)
+    if (problem.is_null(e)) p.entries.emplace_back(e, e, 1.0); // no unknown: its step is 0
   for (const int pin : p.pins) p.entries.emplace_back(pin, pin, 1.0);
   p.matrix.setFromTriplets(p.entries.begin(), p.entries.end());
   if (p.solver.rows() == 0) p.solver.analyzePattern(p.matrix); // the pattern never changes

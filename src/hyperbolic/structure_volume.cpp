@@ -33,13 +33,15 @@ struct AngleTotal {
   CarefulSum<Scalar> rest;
   Scalar error = 0;
 
-  /// 2 pi less the angles. `rest_of_pi`: pi less its nearest double.
-  Scalar curvature() const {
+  /// 2 pi / order less the angles. `rest_of_pi`: pi less its nearest double.
+  Scalar curvature(double order) const {
     constexpr double rest_of_pi = 1.2246467991473532e-16;
     CarefulSum<Scalar> k = rest;
-    for (int turn = turns; turn < 2; ++turn) k.add(-numeric::pi<Scalar>());
-    for (int turn = 2; turn < turns; ++turn) k.add(numeric::pi<Scalar>());
-    if constexpr (std::is_same_v<Scalar, double>) k.lost += (turns - 2) * rest_of_pi;
+    const int whole = order == 1 ? 2 : 0;
+    for (int turn = turns; turn < whole; ++turn) k.add(-numeric::pi<Scalar>());
+    for (int turn = whole; turn < turns; ++turn) k.add(numeric::pi<Scalar>());
+    if (whole == 0) k.add(Scalar(-2 * numeric::pi<Scalar>() / order));
+    if constexpr (std::is_same_v<Scalar, double>) k.lost += (turns - whole) * rest_of_pi;
     return -k.total();
   }
 };
@@ -61,22 +63,24 @@ Estimate<Scalar> structure_volume(const Problem& problem, const State<Scalar>& s
       lengths[e] = state.lengths[tet.edge[e]];
       form[e] = state.form[tet.edge[e]];
     }
-    const auto part = volume_part(lengths, tet.types, form);
+    const auto part = volume_part(lengths, tet.types, form, problem.null_edges(tet));
     if (!part) return {volume.total(), infinity};
-    volume.add(part->value);
+    volume.add(tet.orientation * part->value);
     error += part->error;
     for (int e = 0; e < 6; ++e) {
       AngleTotal<Scalar>& total = around[tet.edge[e]];
-      total.turns += part->data.turns[e];
-      total.rest.add(part->data.rest[e]);
+      total.turns += part->data.turns[e]; // of a tetrahedron turned over, pi + r counts as pi - r
+      total.rest.add(tet.orientation * part->data.rest[e]);
       total.error += part->data.rest_error[e];
     }
   }
   for (std::size_t e = 0; e < around.size(); ++e) {
-    const Scalar k = around[e].curvature();
+    if (problem.is_null(static_cast<int>(e))) continue;
+    const Scalar k = around[e].curvature(problem.order[e]);
     volume.add(-state.lengths[e] * k / 2);
     error += abs(state.lengths[e]) * (abs(k) + numeric::unit<Scalar>()) * numeric::unit<Scalar>() +
              (abs(k) + around[e].error) * last_step;
+    if (problem.order[e] != 1) error += 8 * abs(state.lengths[e]) * numeric::unit<Scalar>();
   }
   const Scalar value = volume.total();
   return {value, error + 2 * numeric::unit<Scalar>() * abs(value)};

@@ -35,9 +35,10 @@ Scalar largest_defect(const AngleData<Scalar>& data, const VertexTypes& types) {
 
 template <class Scalar>
 std::optional<VolumePart<Scalar>> part_in_scalar(const SixNumbers<Scalar>& lengths, const VertexTypes& types,
-                                                 const std::array<kernel::EdgeForm<Scalar>, 6>& form) {
+                                                 const std::array<kernel::EdgeForm<Scalar>, 6>& form,
+                                                 const kernel::NullEdges& null) {
   using std::abs;
-  std::optional<AngleData<Scalar>> data = angle_data(form, types);
+  std::optional<AngleData<Scalar>> data = angle_data(form, types, null);
   if (!data) return std::nullopt;
   // At an ideal vertex the formula holds for angles that add up to pi. Changes of the angles by no more than
   // twice the defect make them do so: the matrix 2 + (ones) of at most four vertices has an inverse of row
@@ -56,15 +57,16 @@ std::optional<VolumePart<Scalar>> part_in_scalar(const SixNumbers<Scalar>& lengt
 
 /// In 60 digits, and brought back so that the value fits the rounded angles.
 std::optional<VolumePart<double>> part_in_60_digits(const SixNumbers<double>& lengths,
-                                                    const VertexTypes& types) {
+                                                    const VertexTypes& types, const kernel::NullEdges& null) {
   SixNumbers<numeric::Real50> precise;
   std::array<kernel::EdgeForm<numeric::Real50>, 6> form;
   for (int e = 0; e < 6; ++e) {
     const auto [i, j] = edge_vertex[e];
     precise[e] = lengths[e];
-    form[e] = kernel::edge_form(types[i], types[j], precise[e]);
+    form[e] = null[e] ? kernel::null_form<numeric::Real50>(types[i], types[j])
+                      : kernel::edge_form(types[i], types[j], precise[e]);
   }
-  const auto part = part_in_scalar(precise, types, form);
+  const auto part = part_in_scalar(precise, types, form, null);
   if (!part) return std::nullopt;
   VolumePart<double> rounded;
   rounded.data.turns = part->data.turns;
@@ -85,17 +87,19 @@ std::optional<VolumePart<double>> part_in_60_digits(const SixNumbers<double>& le
 
 template <class Scalar>
 std::optional<VolumePart<Scalar>> volume_part(const SixNumbers<Scalar>& lengths, const VertexTypes& types,
-                                              const std::array<kernel::EdgeForm<Scalar>, 6>& form) {
-  auto part = part_in_scalar(lengths, types, form);
+                                              const std::array<kernel::EdgeForm<Scalar>, 6>& form,
+                                              const kernel::NullEdges& null) {
+  auto part = part_in_scalar(lengths, types, form, null);
   if constexpr (std::is_same_v<Scalar, double>) {
-    if (part && !(part->error < largest_error_in_double)) return part_in_60_digits(lengths, types);
+    if (part && !(part->error < largest_error_in_double)) return part_in_60_digits(lengths, types, null);
   }
   return part;
 }
 
 #define TETRARCH_INSTANTIATE(Scalar)                                                                         \
   template std::optional<VolumePart<Scalar>> volume_part(const SixNumbers<Scalar>&, const VertexTypes&,      \
-                                                         const std::array<kernel::EdgeForm<Scalar>, 6>&);
+                                                         const std::array<kernel::EdgeForm<Scalar>, 6>&,     \
+                                                         const kernel::NullEdges&);
 TETRARCH_FOR_EACH_SCALAR(TETRARCH_INSTANTIATE)
 #undef TETRARCH_INSTANTIATE
 

@@ -3,11 +3,15 @@
 
 #include "famous.hpp"
 #include "tetrarch/canonical/canonize.hpp"
+#include "tetrarch/catalogue/cusped.hpp"
+#include "tetrarch/catalogue/graphs.hpp"
 #include "tetrarch/core/boundary.hpp"
+#include "tetrarch/core/signature.hpp"
 #include "tetrarch/hyperbolic/search.hpp"
 #include "tetrarch/identify/recognise.hpp"
 #include "tetrarch/moves/simplify.hpp"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <optional>
@@ -24,23 +28,30 @@ struct Known {
 };
 
 /// What has this isometry signature; nothing if no table holds it.
-std::optional<Known> known_manifold(const std::string& isometry_signature,
-                                    const std::vector<catalogue::Manifold>& own_table) {
+std::optional<Known> known_manifold(const std::string& isometry_signature, const IdentifyOptions& options) {
   for (const detail::Famous& f : detail::famous)
     if (f.isometry_signature == isometry_signature) return Known{std::string(f.name), {}};
   if (auto m = catalogue::find_by_isometry_signature(isometry_signature)) {
     std::string name = m->name.empty() ? m->signature : m->name;
     return Known{std::move(name), std::move(m)};
   }
-  for (const catalogue::Manifold& m : own_table)
-    if (m.canonical_signature == isometry_signature) return Known{m.name.empty() ? m.signature : m.name, m};
+  if (const auto cusped = catalogue::find_cusped_by_isometry_signature(isometry_signature))
+    return Known{std::string(cusped->name), {}};
+  const auto called = [](const catalogue::Manifold& m) { return m.name.empty() ? m.signature : m.name; };
+  for (const catalogue::Manifold& m : options.table)
+    if (m.canonical_signature == isometry_signature) return Known{called(m), m};
+  if (options.database)
+    if (const auto m = options.database->by_isometry_signature(isometry_signature))
+      return Known{called(*m), m};
   return std::nullopt;
 }
 
 /// The number of tetrahedra of the last one.
 int largest_table() {
-  const std::vector<int> tables = catalogue::stored_tables();
-  return tables.empty() ? 0 : tables.back();
+  std::vector<int> tables = catalogue::stored_tables();
+  if (const catalogue::Database* file = catalogue::installed_database())
+    for (const int n : file->tables()) tables.push_back(n);
+  return tables.empty() ? 0 : *std::max_element(tables.begin(), tables.end());
 }
 
 /// 20000 as "20,000".
@@ -114,15 +125,17 @@ private:
       return;
     }
     out_.confirmed_only = cells.has_flat_faces;
+    const std::vector<std::string> graphs = catalogue::graphs_with_structure(cells.isometry_signature);
     look_up(std::move(cells.isometry_signature));
+    look_up_graphs(graphs, By::isometry_signature);
   }
 
   void look_up(std::string isometry_signature) {
-    std::optional<Known> known = known_manifold(isometry_signature, options_.table);
+    std::optional<Known> known = known_manifold(isometry_signature, options_);
     if (!known) {
       say("isometry signature " + isometry_signature + " is in no table: volume " +
           volume_text(*out_.volume) + ", tables hold manifolds with geodesic boundary of up to " +
-          tetrahedra(largest_table()) + " and " + std::to_string(detail::famous.size()) + " cusped ones");
+          tetrahedra(largest_table()) + " and " + grouped(catalogue::cusped_count()) + " cusped ones");
     } else {
       out_.by = By::isometry_signature;
       out_.name = std::move(known->name);
@@ -136,6 +149,17 @@ private:
     out_.isometry_signature = std::move(isometry_signature);
   }
 
+  /// Graphs in space with this exterior give it a name where no table does.
+  void look_up_graphs(const std::vector<std::string>& graphs, By by) {
+    if (graphs.empty()) return;
+    std::string names;
+    for (const std::string& graph : graphs) names += (names.empty() ? "" : ", ") + graph;
+    say("it is the exterior of " + names + ", graphs in space");
+    if (out_.by != By::nothing) return;
+    out_.by = by;
+    out_.name = "exterior of " + names;
+  }
+
   void by_recognition() {
     moves::SimplifyOptions how;
     how.seed = options_.seed;
@@ -145,6 +169,20 @@ private:
     if (seen.by == Recognition::By::triangulation) out_.by = By::triangulation;
     if (seen.by == Recognition::By::group) out_.by = By::group;
     say((seen ? seen.name + ": " : "not recognised: ") + seen.because);
+    if (!seen) look_up_graphs(graphs_met(), By::triangulation);
+  }
+
+  /// Graphs whose exterior has, in the table, one of the small triangulations that this manifold is met with.
+  std::vector<std::string> graphs_met() const {
+    constexpr std::uint64_t seeds = 8;
+    moves::SimplifyOptions how;
+    for (std::uint64_t seed = 0; seed < seeds; ++seed) {
+      how.seed = options_.seed + seed;
+      std::vector<std::string> graphs = catalogue::graphs_with_triangulation(
+          signature(moves::simplified(out_.triangulation, how, progress_)));
+      if (!graphs.empty()) return graphs;
+    }
+    return {};
   }
 
   const Triangulation& given_;

@@ -2,6 +2,7 @@
 #include "tetrarch/identify/names.hpp"
 
 #include "famous.hpp"
+#include "tetrarch/catalogue/cusped.hpp"
 #include "tetrarch/catalogue/manifold.hpp"
 #include "tetrarch/core/error.hpp"
 #include "tetrarch/core/signature.hpp"
@@ -11,6 +12,7 @@
 #include <array>
 #include <charconv>
 #include <numeric>
+#include <set>
 
 namespace tetrarch::identify {
 namespace {
@@ -154,6 +156,8 @@ std::optional<Named> listed(std::string_view name) {
   for (const detail::Famous& f : detail::famous)
     if (name == f.name || std::find(f.aliases.begin(), f.aliases.end(), name) != f.aliases.end())
       return Named{std::string(f.name), from_signature(f.signature)};
+  if (const auto cusped = catalogue::find_cusped(name))
+    return Named{std::string(cusped->name), from_signature(cusped->signature)};
   for (const auto& [known, signature] : simple)
     if (name == known) return Named{std::string(known), from_signature(signature)};
   return std::nullopt;
@@ -189,12 +193,16 @@ std::optional<Named> find_named(std::string_view name) {
 
 std::vector<std::string> listed_names() {
   std::vector<std::string> names = catalogue::stored_names();
+  std::set<std::string_view> aliases;
   for (const detail::Famous& f : detail::famous) {
     names.emplace_back(f.name);
     for (const std::string_view alias : f.aliases)
-      if (!alias.empty()) names.emplace_back(alias);
+      if (!alias.empty() && aliases.insert(alias).second) names.emplace_back(alias);
   }
   for (const auto& [name, signature] : simple) names.emplace_back(name);
+  for (int k = 0; k < catalogue::cusped_count(); ++k)
+    if (const std::string_view name = catalogue::cusped_at(k).name; !aliases.contains(name))
+      names.emplace_back(name);
   return names;
 }
 

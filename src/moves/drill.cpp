@@ -1,19 +1,16 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "tetrarch/moves/drill.hpp"
 
+#include "drilling.hpp"
+
 #include "tetrarch/core/error.hpp"
-#include "tetrarch/numeric/union_find.hpp"
 
 #include <algorithm>
 #include <array>
-#include <numeric>
 #include <tuple>
 #include <utility>
 
 namespace tetrarch::moves {
-namespace {
-
-using EdgeSet = Table<EdgeId, bool>;
 
 void require_fit(const Triangulation& tri, const Skeleton& skeleton, const EdgeSet& edges) {
   skeleton.require_current(tri);
@@ -33,128 +30,7 @@ Table<VertexId, bool> vertices_on(const Skeleton& skeleton, const EdgeSet& edges
   return on;
 }
 
-// Crushing.
-
-/// A forest of things to be identified, in which a circle is an error. Entry `count` stands for the whole
-/// boundary.
-class Forest {
-public:
-  explicit Forest(int count) : parent_(static_cast<std::size_t>(count) + 1) {
-    std::iota(parent_.begin(), parent_.end(), 0);
-  }
-  int boundary() const { return static_cast<int>(parent_.size()) - 1; }
-  /// False: the two were one already.
-  bool join(int a, int b) {
-    const int ra = numeric::find_root(parent_, a);
-    const int rb = numeric::find_root(parent_, b);
-    parent_[ra] = rb;
-    return ra != rb;
-  }
-
-  int root(int a) { return numeric::find_root(parent_, a); }
-
-private:
-  std::vector<int> parent_;
-};
-
-class Crushing {
-public:
-  Crushing(const Triangulation& tri, const Skeleton& skeleton, const EdgeSet& edges)
-      : tri_(tri), skeleton_(skeleton), edges_(edges), axis_(static_cast<std::size_t>(tri.size()), -1) {}
-
-  std::variant<Triangulation, Obstacle> run() {
-    MaybeObstacle why_not = why_not_flat();
-    if (!why_not) why_not = why_not_vertices();
-    if (!why_not) why_not = why_not_edges();
-    if (!why_not) why_not = why_not_faces();
-    if (why_not) return *why_not;
-    return glued();
-  }
-
-private:
-  /// Finds each tetrahedron's edge in K.
-  MaybeObstacle why_not_flat() {
-    for (int t = 0; t < tri_.size(); ++t)
-      for (int e = 0; e < 6; ++e) {
-        if (!edges_[skeleton_.edge(TetEdge{t, e})]) continue;
-        if (axis_[t] >= 0) return Obstacle::repeated_tetrahedron;
-        axis_[t] = e;
-      }
-    return std::nullopt;
-  }
-
-  MaybeObstacle why_not_vertices() const {
-    const Table<VertexId, bool> on = vertices_on(skeleton_, edges_);
-    for (const VertexId v : all<VertexId>(skeleton_.vertex_count()))
-      if (on[v] && !skeleton_.link(v).is_closed()) return Obstacle::boundary_face;
-    return std::nullopt;
-  }
-
-  /// A triangle on an edge of K is pressed to an edge: its two others are identified.
-  MaybeObstacle why_not_edges() const {
-    Forest forest(skeleton_.edge_count());
-    for (const EdgeId e : all<EdgeId>(skeleton_.edge_count())) {
-      if (edges_[e] && skeleton_.is_reversed(e)) return Obstacle::reversed_edge;
-      if (skeleton_.is_boundary(e) || skeleton_.is_reversed(e)) forest.join(e.value, forest.boundary());
-    }
-    for (const FaceId f : all<FaceId>(skeleton_.face_count())) {
-      const auto [t, face] = skeleton_.preimages(f).front();
-      const int axis = axis_[t];
-      if (axis < 0 || edge_vertex[axis][0] == face || edge_vertex[axis][1] == face) continue;
-      const auto [a, b] = edge_vertex[axis];
-      const int c = 6 - a - b - face;
-      if (!forest.join(skeleton_.edge(TetEdge{t, edge_number[a][c]}).value,
-                       skeleton_.edge(TetEdge{t, edge_number[b][c]}).value))
-        return Obstacle::edges_form_cycle;
-    }
-    return std::nullopt;
-  }
-
-  /// A tetrahedron on an edge of K is pressed to a triangle: the two faces off the edge are identified.
-  MaybeObstacle why_not_faces() const {
-    Forest forest(skeleton_.face_count());
-    for (const FaceId f : all<FaceId>(skeleton_.face_count()))
-      if (skeleton_.is_boundary(f)) forest.join(f.value, forest.boundary());
-    for (int t = 0; t < tri_.size(); ++t) {
-      if (axis_[t] < 0) continue;
-      const auto [a, b] = edge_vertex[axis_[t]];
-      if (!forest.join(skeleton_.face({t, a}).value, skeleton_.face({t, b}).value))
-        return Obstacle::faces_form_cycle;
-    }
-    return std::nullopt;
-  }
-
-  /// Across a face, through all that is flat: the next tetrahedron that is left. Flat ones form no circle.
-  Gluing across(TetFace f) const {
-    Gluing g = tri_.gluing(f);
-    while (g.tet >= 0 && axis_[g.tet] >= 0) {
-      const auto [a, b] = edge_vertex[axis_[g.tet]];
-      const Perm4 through = Perm4::swap(a, b) * g.perm;
-      const int leave = through[f.face];
-      const Gluing next = tri_.gluing({g.tet, leave});
-      g = {next.tet, next.perm * through};
-    }
-    return g;
-  }
-
-  Triangulation glued() const {
-    std::vector<int> number(axis_.size(), -1);
-    Triangulation out;
-    for (int t = 0; t < tri_.size(); ++t)
-      if (axis_[t] < 0) number[t] = out.add_tetrahedra();
-    for (int t = 0; t < tri_.size(); ++t)
-      for (int f = 0; number[t] >= 0 && f < 4; ++f) {
-        const Gluing g = across({t, f});
-        if (g.tet >= 0 && out.is_boundary({number[t], f})) out.glue({number[t], f}, number[g.tet], g.perm);
-      }
-    return out;
-  }
-
-  const Triangulation& tri_;
-  const Skeleton& skeleton_;
-  const EdgeSet& edges_;
-  std::vector<int> axis_; ///< the edge of K in each tetrahedron; -1: it stays
-};
+namespace {
 
 // Cutting. A simplex of a tetrahedron is the set of its vertices, as bits; the point in its middle has that
 // name. The middle m between the points of a simplex and of a larger one is called by both.
@@ -379,12 +255,6 @@ private:
 };
 
 } // namespace
-
-std::variant<Triangulation, Obstacle> crushed(const Triangulation& tri, const Skeleton& skeleton,
-                                              const Table<EdgeId, bool>& edges) {
-  require_fit(tri, skeleton, edges);
-  return Crushing(tri, skeleton, edges).run();
-}
 
 CutOut cut_out(const Triangulation& tri, const Skeleton& skeleton, const Table<EdgeId, bool>& edges) {
   require_fit(tri, skeleton, edges);

@@ -3,6 +3,7 @@
 
 #include "hexahedron.hpp"
 #include "tetrarch/numeric/vector.hpp"
+#include "tetrarch/product/hex_jacobian.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -14,9 +15,13 @@ namespace {
 
 using namespace numeric;
 
-/// Opposite faces, those of greater coordinate first.
-constexpr std::array<std::array<std::array<int, 4>, 2>, 3> opposite_faces{
-    {{{{1, 2, 5, 6}, {0, 3, 4, 7}}}, {{{2, 3, 6, 7}, {0, 1, 4, 5}}}, {{{4, 5, 6, 7}, {0, 1, 2, 3}}}}};
+/// The edges along each axis, from the lesser to the greater coordinate.
+constexpr std::array<std::array<std::array<int, 2>, 4>, 3> edge_ends{{{{{0, 1}, {3, 2}, {4, 5}, {7, 6}}},
+                                                                      {{{0, 3}, {1, 2}, {4, 7}, {5, 6}}},
+                                                                      {{{0, 4}, {1, 5}, {3, 7}, {2, 6}}}}};
+/// Of each corner the edge there along each axis.
+constexpr std::array<std::array<int, 3>, 8> edges_at_corners{
+    {{0, 0, 0}, {0, 1, 1}, {1, 1, 3}, {1, 0, 2}, {2, 2, 0}, {2, 3, 1}, {3, 3, 3}, {3, 2, 2}}};
 
 Point middle(const std::array<Point, 8>& corners) {
   Point center{};
@@ -24,9 +29,8 @@ Point middle(const std::array<Point, 8>& corners) {
   return center;
 }
 
-double scaled_determinant(const Vector& a, const Vector& b, const Vector& c) {
-  const double lengths = norm(a) * norm(b) * norm(c);
-  return lengths > 0 ? std::clamp(dot(a, cross(b, c)) / lengths, -1.0, 1.0) : 0.0;
+double scaled_determinant(double determinant, double lengths) {
+  return lengths > 0 ? std::clamp(determinant / lengths, -1.0, 1.0) : 0.0;
 }
 
 } // namespace
@@ -38,16 +42,21 @@ std::array<Point, 8> HexMesh::corners(std::size_t hexahedron) const {
 }
 
 double scaled_jacobian(const std::array<Point, 8>& corners) {
+  std::array<std::array<Vector, 4>, 3> edge{};
+  std::array<std::array<double, 4>, 3> length{};
   std::array<Vector, 3> axis{};
   for (std::size_t a = 0; a < 3; ++a)
-    for (std::size_t c = 0; c < 4; ++c)
-      axis[a] = axis[a] + (corners[opposite_faces[a][0][c]] - corners[opposite_faces[a][1][c]]);
-  double least = scaled_determinant(axis[0], axis[1], axis[2]);
-  for (std::size_t c = 0; c < 8; ++c) {
-    const auto& [x, y, z] = corner_neighbors[c];
-    least = std::min(
-        least, scaled_determinant(corners[x] - corners[c], corners[y] - corners[c], corners[z] - corners[c]));
-  }
+    for (std::size_t k = 0; k < 4; ++k) {
+      edge[a][k] = corners[edge_ends[a][k][1]] - corners[edge_ends[a][k][0]];
+      length[a][k] = norm(edge[a][k]);
+      axis[a] = axis[a] + edge[a][k];
+    }
+  double least = scaled_determinant(dot(axis[0], cross(axis[1], axis[2])),
+                                    norm(axis[0]) * norm(axis[1]) * norm(axis[2]));
+  for (const auto& [x, y, z] : edges_at_corners)
+    least = std::min(least, scaled_determinant(dot(edge[0][x], cross(edge[1][y], edge[2][z])),
+                                               length[0][x] * length[1][y] * length[2][z]));
+  if (least > 0 && !is_positive_inside(corners)) return 0;
   return least;
 }
 

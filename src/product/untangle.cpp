@@ -66,12 +66,7 @@ unfold::Problem problem_of(const HexMesh& mesh, const std::vector<Sliding>& may,
                            const std::vector<char>& fixed) {
   unfold::Problem problem;
   const double size = mean_edge(mesh);
-  const std::array<Vector, 3> cube{{{size, 0, 0}, {0, size, 0}, {0, 0, size}}};
-  for (const Hexahedron& h : mesh.hexahedra)
-    for (std::size_t c = 0; c < 8; ++c) {
-      const auto& [x, y, z] = corner_neighbors[c];
-      problem.elements.push_back(unfold::element({h[c], h[x], h[y], h[z]}, cube));
-    }
+  for (const Hexahedron& h : mesh.hexahedra) problem.bricks.push_back(unfold::brick(h, {size, size, size}));
   for (std::size_t v = 0; v < may.size(); ++v) {
     Freedom f;
     f.direction = may[v].direction;

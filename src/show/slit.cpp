@@ -208,6 +208,28 @@ Layout disk_layout(const mesh::TriangleMesh& mesh, const std::vector<std::comple
   return result;
 }
 
+Layout plane_layout(const mesh::TriangleMesh& mesh, const std::vector<std::complex<double>>& position,
+                    const std::string& name) {
+  Layout result;
+  result.name = name;
+  double left = INFINITY;
+  double low = INFINITY;
+  double size = 0;
+  for (const std::complex<double>& z : position) {
+    left = std::min(left, z.real());
+    low = std::min(low, z.imag());
+  }
+  for (const std::complex<double>& z : position) size = std::max({size, z.real() - left, z.imag() - low});
+  result.texture_scale = 1 / size;
+  for (const std::complex<double>& z : position) {
+    result.vertex.push_back(static_cast<int>(result.vertex.size()));
+    result.places.push_back({z.real() - left, z.imag() - low});
+    result.textures.push_back({result.places.back()[0] / size, result.places.back()[1] / size});
+  }
+  result.corners = mesh.surface.triangles();
+  return result;
+}
+
 Scene slit_domain(const mesh::TriangleMesh& mesh, const Layout& layout) {
   std::vector<Point> points = layout.rolled;
   if (points.empty())

@@ -207,6 +207,14 @@ std::vector<QuadEdge> edges(const QuadMesh& mesh) {
   return result;
 }
 
+double quads_around(const mesh::TriangleMesh& mesh, const SlitMap& map, double edge) {
+  double area = 0;
+  for (const auto& t : mesh.surface.triangles())
+    area += length(cross(mesh.points[t[1]] - mesh.points[t[0]], mesh.points[t[2]] - mesh.points[t[0]])) / 2;
+  // n around, n modulus / 2 pi along.
+  return std::sqrt(full_turn * area / map.modulus) / edge;
+}
+
 QuadQuality quality(const QuadMesh& mesh) {
   QuadQuality result;
   result.min_edge = distance(mesh.points[mesh.quads[0][0]], mesh.points[mesh.quads[0][1]]);
@@ -222,12 +230,14 @@ QuadQuality quality(const QuadMesh& mesh) {
       result.max_angle_error = std::max(result.max_angle_error, error);
       result.min_edge = std::min(result.min_edge, length(next));
       result.max_edge = std::max(result.max_edge, length(next));
+      result.mean_edge += length(next);
     }
     result.mean_warp += warp(p);
     result.max_warp = std::max(result.max_warp, warp(p));
   }
   const auto quads = static_cast<double>(mesh.quads.size());
   result.mean_angle_error /= 4 * quads;
+  result.mean_edge /= 4 * quads;
   result.mean_warp /= quads;
   return result;
 }

@@ -52,10 +52,32 @@ std::pair<numeric::FlatTriangle, double> of_size_one(numeric::FlatTriangle q) {
   return {{0.0, (q[1] - q[0]) / size, (q[2] - q[0]) / size}, size};
 }
 
+/// From the log factors of the triangles that count, and their areas.
+void measure_areas(Distortion& d, const std::vector<double>& area) {
+  double greatest = -INFINITY;
+  for (std::size_t t = 0; t < area.size(); ++t)
+    if (area[t] > 0) greatest = std::max(greatest, d.log_factor[t]);
+  double whole = 0;
+  double image = 0; // divided by the square of the greatest factor, as squares of e^-300 underflow
+  for (std::size_t t = 0; t < area.size(); ++t)
+    if (area[t] > 0) {
+      whole += area[t];
+      image += area[t] * std::exp(2 * (d.log_factor[t] - greatest));
+    }
+  const double of_whole = std::log(image / whole) + 2 * greatest;
+  for (std::size_t t = 0; t < area.size(); ++t)
+    if (area[t] > 0) {
+      const double error = std::abs(2 * d.log_factor[t] - of_whole);
+      d.mean_area_error += error * area[t] / whole;
+      raise_to(d.max_area_error, error);
+    }
+}
+
 /// Of the triangles that are not `skipped`.
 template <class Image>
 Distortion distortion(const mesh::TriangleMesh& mesh, const std::vector<char>& skipped, const Image& image) {
   Distortion result;
+  std::vector<double> shares(static_cast<std::size_t>(mesh.surface.triangle_count()), 0.0);
   double area = 0;
   const double unit = extent(mesh.points);
   int corners = 0;
@@ -80,6 +102,7 @@ Distortion distortion(const mesh::TriangleMesh& mesh, const std::vector<char>& s
     const double share = numeric::twice_area(p) * (size / unit) * (size / unit);
     result.mean_quasi_conformal += ratio * share;
     area += share;
+    shares[t] = share;
     for (int c = 0; c < 3; ++c) {
       const double error = std::abs(angle_at(p, c) - angle_at(q, c));
       result.mean_angle_error += error;
@@ -90,6 +113,7 @@ Distortion distortion(const mesh::TriangleMesh& mesh, const std::vector<char>& s
   if (corners == 0) return result;
   result.mean_quasi_conformal /= area;
   result.mean_angle_error /= corners;
+  measure_areas(result, shares);
   return result;
 }
 

@@ -32,6 +32,7 @@ public:
 private:
   std::vector<Complex> curve_;
   std::vector<Complex> image_;
+  std::vector<Complex> shift_;  ///< of the samples
   std::vector<Complex> weight_; ///< of Cauchy's formula
 };
 

@@ -3,6 +3,7 @@
 
 #include "banks.hpp"
 #include "full_turn.hpp"
+#include "placing.hpp"
 #include "tetrarch/slit/quality.hpp"
 
 #include "tetrarch/numeric/flat_triangle.hpp"
@@ -352,19 +353,7 @@ Unflipped unflip_on_ring(const OneForms& forms, SlitMap& map, Unflip which) {
   const std::vector<Complex> before = position;
   const Unflipped result = unflip_between_circles(forms.mesh(), loop, position, about_origin,
                                                   std::move(skipped), std::move(judged), ordered);
-  std::vector<Complex> shift(position.size(), 0.0);
-  for (std::size_t v = 0; v < position.size(); ++v) {
-    if (position[v] == before[v]) continue;
-    shift[v] = std::log(position[v] / before[v]);
-    map.log_radius[v] += loop[v] < 0 ? shift[v].real() : 0;
-    map.angle[v] = wrapped(std::arg(position[v]));
-  }
-  for (int s = 0; s < surface.side_count(); ++s) {
-    const int from = surface.from(Side(s));
-    const int to = surface.to(Side(s));
-    map.form.real[s] = map.log_radius[to] - map.log_radius[from];
-    map.form.imaginary[s] += shift[to].imag() - shift[from].imag();
-  }
+  move_on_ring(forms, map, before, position);
   return result;
 }
 

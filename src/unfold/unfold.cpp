@@ -24,6 +24,9 @@ public:
   Movable(const Problem& problem, std::vector<Point> points) : problem_(problem), points_(std::move(points)) {
     for (int v = 0; v < static_cast<int>(points_.size()); ++v)
       if (problem.freedom[v].kind != Freedom::Kind::fixed) moving_.push_back(v);
+    const auto is_fixed = [&](int v) { return problem.freedom[v].kind == Freedom::Kind::fixed; };
+    for (const Brick& b : problem.bricks)
+      if (!std::all_of(b.corner.begin(), b.corner.end(), is_fixed)) bricks_.push_back(b);
     find_blocks();
   }
   const std::vector<Point>& points() const { return points_; }
@@ -40,6 +43,7 @@ public:
   double energy(const Values& x, Values& gradient, double theta, double epsilon) {
     place(x);
     double value = unfold::energy(problem_.elements, points_, theta, epsilon, &all_);
+    value += add_energy(bricks_, points_, theta, epsilon, all_);
     for (const Pull& pull : problem_.pulls) {
       const Vector away = pull.away(points_[pull.point]);
       value += pull.weight * dot(away, away);
@@ -87,6 +91,10 @@ private:
       }
       add(e.corner[0], e.weight * dot(first, first));
     }
+    // Each point is the end of one edge along each axis, at four corners of the brick in all: at its own and
+    // at those of its neighbors.
+    for (const Brick& b : bricks_)
+      for (const int v : b.corner) add(v, 2 * b.weight * dot(b.inverse, b.inverse));
     for (const Pull& pull : problem_.pulls)
       for (std::size_t a = 0; a < 3; ++a) {
         Vector axis{};
@@ -102,6 +110,7 @@ private:
 
   const Problem& problem_;
   std::vector<Point> points_;
+  std::vector<Brick> bricks_; ///< those with a point that moves
   std::vector<int> moving_;
   std::vector<Matrix> block_; ///< of each that moves
   std::vector<Vector> all_;
@@ -122,11 +131,21 @@ int folded(const std::vector<double>& determinants) {
       std::count_if(determinants.begin(), determinants.end(), [](double d) { return !(d > 0); }));
 }
 
+std::vector<double> determinants(const Problem& problem, const std::vector<Point>& points) {
+  std::vector<double> result = unfold::determinants(problem.elements, points);
+  const std::vector<double> of_bricks = unfold::determinants(problem.bricks, points);
+  result.insert(result.end(), of_bricks.begin(), of_bricks.end());
+  return result;
+}
+
 void require(const Problem& problem, const std::vector<Point>& start) {
   if (problem.freedom.size() != start.size()) throw PreconditionError("unfold: each point needs its freedom");
   const int count = static_cast<int>(start.size());
   for (const Element& e : problem.elements)
     for (const int v : e.corner)
+      if (v < 0 || v >= count) throw PreconditionError("unfold: a corner is none of the points");
+  for (const Brick& b : problem.bricks)
+    for (const int v : b.corner)
       if (v < 0 || v >= count) throw PreconditionError("unfold: a corner is none of the points");
   for (const Pull& pull : problem.pulls)
     if (pull.point < 0 || pull.point >= count)
@@ -139,7 +158,7 @@ Unfolded unfold(const Problem& problem, std::vector<Point> start, const Options&
                 const Progress& progress) {
   require(problem, start);
   Unfolded result;
-  std::vector<double> all = determinants(problem.elements, start);
+  std::vector<double> all = determinants(problem, start);
   result.folded_before = result.folded_after = folded(all);
   if (all.empty()) {
     result.last = start;
@@ -165,7 +184,7 @@ Unfolded unfold(const Problem& problem, std::vector<Point> start, const Options&
         [&](Values& at) { movable.precondition(at); });
     result.iterations += done.iterations;
     movable.place(x);
-    all = determinants(problem.elements, movable.points());
+    all = determinants(problem, movable.points());
     worst = *std::min_element(all.begin(), all.end());
     const int now = folded(all);
     if (now <= result.folded_after) {

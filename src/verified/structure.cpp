@@ -67,12 +67,12 @@ public:
     for (const EdgeId e : all<EdgeId>(start.size())) middle_[e] = start[e];
   }
 
-  Certification run(const SquareMatrix<double>& y) {
+  Certification run(const SquareMatrix<double>& y, bool volume) {
     const auto step = last_step(y);
     if (!step) return {std::nullopt, missing_tetrahedron};
     const auto radius = smallest_radius(y, *step);
     if (!radius) return {std::nullopt, "no box of lengths is mapped into its inside"};
-    return proof(*radius);
+    return proof(*radius, volume);
   }
 
   /// The box of a zero that is the only one within `reach`, where no curvature changes by as much as 1.
@@ -152,12 +152,13 @@ private:
   /// With G(l) = V - 1/2 sum l K, dG = -1/2 sum K dl, and G is the volume at the structure, where K is 0.
   /// From there to the midpoint each l changes by no more than r, and K by no more than the sum of |dK/dl| r.
   /// Twice that leaves room for another's rounding. A few more bits, at one point, are cheap.
-  Certification proof(const Ball& radius) const {
+  Certification proof(const Ball& radius, bool with_volume) const {
     StructureProof found;
     found.bits = numeric::bits<Ball>();
     found.lengths = box(radius);
     found.radius = radius;
     found.fixed = system_.fixed();
+    if (!with_volume) return {std::move(found), {}};
     const numeric::WorkingPrecision precise(found.bits + bits_beside_volume);
     const auto k = system_.curvature(middle_);
     const auto volume = system_.volume(middle_, progress_);
@@ -206,7 +207,7 @@ Certification certify(const Triangulation& tri, const Skeleton& skeleton,
   Certification last;
   for (int bits = options.bits; bits <= std::max(options.bits, options.most_bits); bits *= 2) {
     const numeric::WorkingPrecision precision(bits);
-    last = Attempt(system, found.lengths, progress).run(*y);
+    last = Attempt(system, found.lengths, progress).run(*y, options.volume);
     if (last.proof) break;
   }
   return last;

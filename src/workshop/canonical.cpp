@@ -1,15 +1,18 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "tetrarch/workshop/canonical.hpp"
 
+#include "tetrarch/algebra/covers.hpp"
 #include "tetrarch/algebra/homology.hpp"
-#include "tetrarch/canonical/certify.hpp"
 #include "tetrarch/canonical/isometries.hpp"
+#include "tetrarch/catalogue/prove.hpp"
 #include "tetrarch/core/boundary.hpp"
 #include "tetrarch/core/error.hpp"
 #include "tetrarch/core/signature.hpp"
 #include "tetrarch/format/document.hpp"
 #include "tetrarch/numeric/union_find.hpp"
 #include "tetrarch/verified/structure.hpp"
+#include "tetrarch/workshop/reason.hpp"
+#include "tetrarch/workshop/structure.hpp"
 #include "tetrarch/workshop/text.hpp"
 
 #include <algorithm>
@@ -48,28 +51,6 @@ hyperbolic::Search search_for(const Triangulation& tri, const CanonicalOptions& 
   return find_structure(tri, search, progress);
 }
 
-/// Tries to prove the cells: first with few bits, then with more where a tilt is in doubt.
-void prove(Canonical& c, const Progress& progress) {
-  const Skeleton skeleton(c.triangulation);
-  const auto structure = hyperbolic::hyperbolize(c.triangulation, skeleton, {}, progress);
-  if (structure.outcome != Outcome::geometric) {
-    c.proof.why_not = "the structure was not found again";
-    return;
-  }
-  for (const int bits : {53, 212}) {
-    const auto certified = verified::certify(c.triangulation, skeleton, structure, {bits, bits}, progress);
-    c.proof = {};
-    c.proof.why_not = "the structure is not certified: " + certified.why_not;
-    if (!certified.proof) continue;
-    const numeric::WorkingPrecision precision(bits);
-    const auto merged = [&](const Table<EdgeId, int>& block, double reach) {
-      return verified::solve_merged(skeleton, block, structure.lengths, reach, progress);
-    };
-    c.proof = canonical::certify_cells(c.triangulation, skeleton, certified.proof->lengths, c.flat, merged);
-    if (c.proof.certified) return;
-  }
-}
-
 Cells cells_in(const hyperbolic::Search& found, const CanonicalOptions& how, const Progress& progress) {
   const auto& structure = found.structure;
   Cells solved;
@@ -87,7 +68,7 @@ Cells cells_in(const hyperbolic::Search& found, const CanonicalOptions& how, con
     solved.why_not = "a face stays concave and no move mends it, after " +
                      std::to_string(solved.canonical->restarts) + " changes of the triangulation";
   else
-    prove(*solved.canonical, progress);
+    catalogue::prove_cells(*solved.canonical, progress);
   return solved;
 }
 
@@ -203,6 +184,7 @@ std::optional<IsometryAnswer> differ_in_volume(const hyperbolic::Search& x, cons
 }
 
 constexpr const char* given_triangulations = "triangulations given";
+constexpr const char* simplified_triangulations = "simplified triangulations";
 
 /// A proved no of invariants that need no structure.
 std::optional<IsometryAnswer> differ(const Triangulation& x, const Boundary& boundary_x,
@@ -221,16 +203,63 @@ std::optional<IsometryAnswer> differ(const Triangulation& x, const Boundary& bou
               "the first homology differs: " + h_x.str() + " against " + h_y.str());
 }
 
-/// Yes if the triangulations given are isomorphic, where the first is known to carry a structure.
-bool compare_given(const Triangulation& x, const Triangulation& y, Isometry& found) {
+/// Yes if two triangulations of the manifolds are isomorphic. Where they carry no structure, it is a
+/// homeomorphism.
+bool compare_triangulations(const Triangulation& x, const Triangulation& y, const char* which,
+                            Isometry& found) {
   auto isometry = find_isomorphism(x, y);
   if (!isometry) return false;
   found.answer = told(IsometryAnswer::Verdict::isometric, IsometryAnswer::Proof::isomorphism,
-                      "the triangulations given are isomorphic");
+                      std::string("the ") + which + " are isomorphic");
   found.answer.isometry = *std::move(isometry);
-  found.between = given_triangulations;
+  found.between = which;
   found.from = signature(x);
   return true;
+}
+
+algebra::Presentation group_of(const Triangulation& tri, const Progress& progress) {
+  return algebra::simplified(algebra::dual_presentation(tri, Skeleton(tri)).presentation, {}, progress);
+}
+
+/// A proved no of covers: those of some degree have other first homology groups, listed with multiplicity.
+/// Degrees grow until a budget ends the search.
+std::optional<IsometryAnswer> differ_in_covers(const Triangulation& x, const Triangulation& y, int& compared,
+                                               const Progress& progress) {
+  constexpr int most_sheets = 7;
+  constexpr long long most_steps = 300'000;
+  const algebra::Presentation group_x = group_of(x, progress);
+  const algebra::Presentation group_y = group_of(y, progress);
+  for (int degree = 2; degree <= most_sheets; ++degree) {
+    const auto covers_x = algebra::homology_of_covers(group_x, degree, most_steps, progress);
+    const auto covers_y = algebra::homology_of_covers(group_y, degree, most_steps, progress);
+    if (!covers_x.complete || !covers_y.complete) return std::nullopt;
+    compared = degree;
+    if (covers_x.of == covers_y.of) continue;
+    const std::string sheets = std::to_string(degree) + " sheets";
+    if (covers_x.of.size() != covers_y.of.size())
+      return told(IsometryAnswer::Verdict::not_isometric, IsometryAnswer::Proof::covers,
+                  "the numbers of covers of " + sheets + " differ: " + std::to_string(covers_x.of.size()) +
+                      " against " + std::to_string(covers_y.of.size()));
+    const auto [a, b] = std::mismatch(covers_x.of.begin(), covers_x.of.end(), covers_y.of.begin());
+    return told(IsometryAnswer::Verdict::not_isometric, IsometryAnswer::Proof::covers,
+                "the first homology of covers of " + sheets + " differs: in sorted order, first in " + *a +
+                    " against " + *b);
+  }
+  return std::nullopt;
+}
+
+/// A certified structure on the one, a proof that there is none on the other.
+std::optional<IsometryAnswer> differ_in_structure(const Compared& with, const hyperbolic::Search& search,
+                                                  const Compared& without, const hyperbolic::Search& other,
+                                                  std::uint64_t seed, const Progress& progress) {
+  const auto certified =
+      verified::certify(search.triangulation, Skeleton(search.triangulation), search.structure, {}, progress);
+  if (!certified.proof) return std::nullopt;
+  const auto why = proved_no(other.triangulation, seed, progress);
+  if (!why) return std::nullopt;
+  return told(IsometryAnswer::Verdict::not_isometric, IsometryAnswer::Proof::structure,
+              with.name + " has a certified hyperbolic structure, and " + without.name +
+                  " has none: " + why->text);
 }
 
 bool is_yes(const Isometry& i) {
@@ -244,7 +273,7 @@ bool is_undecided(const Isometry& i) {
 
 Verdict Cells::verdict() const {
   if (why_not.empty()) return Verdict::yes;
-  return outcome == Outcome::projective_plane ? Verdict::proved_no : Verdict::undecided;
+  return outcome == Outcome::projective_plane || why ? Verdict::proved_no : Verdict::undecided;
 }
 
 Verdict Isometry::verdict() const {
@@ -254,7 +283,10 @@ Verdict Isometry::verdict() const {
 
 Cells cells(const Triangulation& tri, const CanonicalOptions& options, const Progress& progress) {
   const Boundary boundary = boundary_of(tri);
-  Cells found = cells_in(search_for(tri, options, progress), options, progress);
+  const hyperbolic::Search search = search_for(tri, options, progress);
+  Cells found = cells_in(search, options, progress);
+  if (found.outcome != Outcome::geometric)
+    found.why = proved_no(search.triangulation, options.seed, progress);
   found.filled_spheres = boundary.spheres;
   if (is_found(found)) name_isometries(found, options.list_isometries);
   return found;
@@ -272,6 +304,12 @@ std::string group_text(const Cells& found) {
 } // namespace
 
 Rows rows_of(const Cells& found) {
+  if (found.why) {
+    Rows rows{{"outcome", "not hyperbolic"}};
+    const Rows proof = rows_of(*found.why);
+    rows.insert(rows.end(), proof.begin(), proof.end());
+    return rows;
+  }
   if (is_not_found(found)) return {{"outcome", "not found"}, {"reason", found.why_not}};
   const Canonical& c = *found.canonical;
   Rows rows{{"cells", cell_summary(c.cells)},
@@ -303,9 +341,21 @@ Isometry isometry(const Compared& x, const Compared& y, const CanonicalOptions& 
     return found;
   }
   const hyperbolic::Search search = search_for(x.tri, options, progress);
-  if (search.structure.outcome == Outcome::geometric && compare_given(x.tri, y.tri, found)) return found;
+  if (compare_triangulations(x.tri, y.tri, given_triangulations, found)) return found;
   const hyperbolic::Search other = search_for(y.tri, options, progress);
-  if (auto no = differ_in_volume(search, other, progress)) {
+  const bool in_x = search.structure.outcome == Outcome::geometric;
+  const bool in_y = other.structure.outcome == Outcome::geometric;
+  std::optional<IsometryAnswer> no;
+  if (in_x && in_y)
+    no = differ_in_volume(search, other, progress);
+  else if (in_x)
+    no = differ_in_structure(x, search, y, other, options.seed, progress);
+  else if (in_y)
+    no = differ_in_structure(y, other, x, search, options.seed, progress);
+  else if (compare_triangulations(search.triangulation, other.triangulation, simplified_triangulations,
+                                  found))
+    return found;
+  if (no) {
     found.answer = *std::move(no);
     return found;
   }
@@ -319,7 +369,17 @@ Isometry isometry(const Compared& x, const Compared& y, const CanonicalOptions& 
     found.answer = compare(*a.canonical, *b.canonical);
     found.from = signature(a.canonical->canonical_triangulation);
   }
+  if (!is_undecided(found)) return found;
+  int compared = 1;
+  if (auto other_covers = differ_in_covers(search.triangulation, other.triangulation, compared, progress))
+    found.answer = *std::move(other_covers);
+  else if (compared > 1)
+    found.answer.reason += "; homology of covers to " + std::to_string(compared) + " sheets agrees";
   return found;
+}
+
+std::optional<IsometryAnswer> differ_without_structure(const Triangulation& x, const Triangulation& y) {
+  return differ(x, boundary_of(x), y, boundary_of(y));
 }
 
 std::string text_of(const Isometry& found) {
@@ -330,8 +390,9 @@ std::string text_of(const Isometry& found) {
   if (found.filled_spheres > 0)
     text += "filled spheres: " + std::to_string(found.filled_spheres) +
             " in each; the isometry is one of the filled manifolds\n";
-  text += std::string(found.between == given_triangulations ? "tetrahedra of " : "canonical tetrahedra of ") +
-          found.x + " go to those of " + found.y + ":\n";
+  const bool cells = found.between != given_triangulations && found.between != simplified_triangulations;
+  text += std::string(cells ? "canonical tetrahedra of " : "tetrahedra of ") + found.x + " go to those of " +
+          found.y + ":\n";
   const Isomorphism& isometry = found.answer.isometry;
   for (std::size_t t = 0; t < isometry.tet.size(); ++t)
     text += "  " + std::to_string(t) + " -> " + std::to_string(isometry.tet[t]) + ", vertices 0123 -> " +
@@ -343,9 +404,16 @@ template <>
 const FieldList<Cells>& fields_of<Cells>() {
   using C = const Cells&;
   static const FieldList<Cells> fields{
-      {{"outcome", "", "canonical, or not found"},
-       [](C c) -> Tree { return is_found(c) ? "canonical" : "not found"; }},
-      {{"reason", "", "why there are no cells"}, [](C c) -> Tree { return c.why_not; }, is_not_found},
+      {{"outcome", "", "canonical, not hyperbolic (proved), or not found"},
+       [](C c) -> Tree { return is_found(c) ? "canonical"
+                                : c.why     ? "not hyperbolic"
+                                            : "not found"; }},
+      {{"reason", "", "why there are no cells"},
+       [](C c) -> Tree { return c.why ? c.why->text : c.why_not; },
+       is_not_found},
+      {{"why", "", "the proof that the manifold is not hyperbolic, as for hyperbolize"},
+       [](C c) -> Tree { return tree_of(*c.why); },
+       [](C c) { return c.why.has_value(); }},
       {{"cells", "", "the polyhedra, by their names"},
        [](C c) -> Tree { return c.canonical->cells; },
        is_found},

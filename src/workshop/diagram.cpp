@@ -45,16 +45,6 @@ Exterior::Parabolic parabolic(const diagram::Diagram& diagram, const Exterior& x
           (halves ? "half of the double: " : "") + describe(found)};
 }
 
-/// Components with one vertex more than edges.
-int tree_count(const diagram::Diagram& diagram) {
-  const diagram::Classes component = diagram::components(diagram);
-  std::vector<int> twice_euler(static_cast<std::size_t>(component.count), 0);
-  for (const diagram::Node& node : diagram.nodes())
-    if (!node.crossing)
-      twice_euler[component.of[node.darts.front()]] += 2 - static_cast<int>(node.darts.size());
-  return static_cast<int>(std::count(twice_euler.begin(), twice_euler.end(), 2));
-}
-
 Tree meridians_tree(const Exterior& x) {
   Tree list = Tree::array();
   for (const int g : x.wirtinger.meridians)
@@ -80,10 +70,9 @@ diagram::Diagram open_diagram(const std::string& what, const OpenOptions& option
   if (!is_file(what, options.locate))
     if (std::optional<diagram::Diagram> named = diagram::named_diagram(what)) return std::move(*named);
   if (!is_file(what, options.locate))
-    throw InputError(
-        in_quotes(what) +
-        " is no file, no knot of Rolfsen's table and no code of a diagram (expected embedding, PD, X[...], "
-        "braid, DT or Gauss)");
+    throw InputError(in_quotes(what) + " is no file, no name of a knot, link or graph and no code of a "
+                                       "diagram (expected embedding, PD, X[...], "
+                                       "braid, DT, Gauss or Conway)");
   const std::string source = format::source_name(what);
   const std::string text = format::read_file(located(what, options.locate));
   if (diagram::looks_like_diagram(text) || !diagram::looks_like_curve(text))
@@ -121,6 +110,16 @@ Rows rows_of(const DiagramFacts& f) {
   rows.emplace_back("regions", std::to_string(f.regions));
   rows.emplace_back("alternating", f.alternating ? "yes" : "no");
   return rows;
+}
+
+/// Components with one vertex more than edges.
+int tree_count(const diagram::Diagram& diagram) {
+  const diagram::Classes component = diagram::components(diagram);
+  std::vector<int> twice_euler(static_cast<std::size_t>(component.count), 0);
+  for (const diagram::Node& node : diagram.nodes())
+    if (!node.crossing)
+      twice_euler[component.of[node.darts.front()]] += 2 - static_cast<int>(node.darts.size());
+  return static_cast<int>(std::count(twice_euler.begin(), twice_euler.end(), 2));
 }
 
 Exterior exterior(const diagram::Diagram& diagram, const ExteriorOptions& options, const Progress& progress) {

@@ -55,7 +55,7 @@ format::Document triangulation_of(format::Soup soup, const Doctor& doctor, const
 }
 
 [[noreturn]] void refuse(const std::string& name, const Content& content, const std::string& expected) {
-  throw InputError(name + " is a " + kind_of(content) + " (expected " + expected + ")");
+  throw InputError(name + " is a " + kind_of(content) + " (expected " + expected + ")", Cause::kind);
 }
 
 bool is_json(const std::string& argument) {
@@ -100,7 +100,8 @@ format::Document spelled_out(const std::string& argument) {
     if (near.empty() && is_meant_as_signature(argument)) why = std::string("; as a signature: ") + e.what();
   }
   throw InputError(in_quotes(argument) + " is no file, no name of a manifold and no isomorphism signature" +
-                   near + why);
+                       near + why,
+                   Cause::name);
 }
 
 /// The exterior of the diagram that the text is, or the triangulation.
@@ -183,7 +184,8 @@ format::Soup open_mesh(const std::string& what, const OpenOptions& options) {
   if (!is_file(what, options.locate))
     throw InputError(
         {what, 0},
-        "there is no such file (expected a mesh, because other triangulations have no coordinates)");
+        "there is no such file (expected a mesh, because other triangulations have no coordinates)",
+        Cause::file);
   const std::string path = located(what, options.locate);
   format::Soup soup = format::read_soup_file(path);
   if (path != what) soup.source = what;

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "tetrarch/workshop/structure.hpp"
 
+#include "orbifold_rows.hpp"
 #include "tetrarch/core/error.hpp"
 #include "tetrarch/core/signature.hpp"
 #include "tetrarch/format/document.hpp"
 #include "tetrarch/verified/certificate.hpp"
+#include "tetrarch/workshop/reason.hpp"
 #include "tetrarch/workshop/text.hpp"
 
 #include <array>
@@ -15,15 +17,56 @@ namespace {
 
 using hyperbolic::Outcome;
 
-/// The word users see first; `reason` keeps the finer one.
-std::string outcome_word(Outcome outcome) {
-  if (outcome == Outcome::geometric) return "geometric";
-  if (outcome == Outcome::projective_plane) return "not hyperbolic";
-  return "not found";
-}
-
 bool is_geometric(const Structure& s) {
   return s.search.structure.outcome == Outcome::geometric;
+}
+bool is_turned_over(const Structure& s) {
+  return s.orbifold && s.orbifold->structure.outcome == hyperbolic::OrbifoldOutcome::turned_over;
+}
+bool has_bad_vertex(const Structure& s) {
+  return s.orbifold && s.orbifold->structure.outcome == hyperbolic::OrbifoldOutcome::bad_vertex;
+}
+
+/// The word users see first; `reason` keeps the finer one.
+std::string outcome_word(const Structure& s) {
+  const Outcome outcome = s.search.structure.outcome;
+  if (outcome == Outcome::geometric) return "geometric";
+  if (outcome == Outcome::projective_plane || has_bad_vertex(s) || s.why) return "not hyperbolic";
+  return is_turned_over(s) ? "turned over" : "not found";
+}
+
+std::string reason_word(const Structure& s) {
+  if (s.why) return reasons::to_string(s.why->kind);
+  return s.orbifold ? to_string(s.orbifold->structure.outcome) : to_string(s.search.structure.outcome);
+}
+std::string reason(const Structure& s) {
+  if (s.why) return s.why->text;
+  return s.orbifold ? describe(s.orbifold->structure, s.skeleton)
+                    : hyperbolic::describe(s.search.structure, s.skeleton);
+}
+std::string tried(const Structure& s) {
+  return s.orbifold ? describe(*s.orbifold) : hyperbolic::describe(s.search);
+}
+
+bool has_cusps(const Structure& s) {
+  return is_geometric(s) && !s.orbifold;
+}
+bool has_orbifold(const Structure& s) {
+  return s.orbifold.has_value();
+}
+bool has_marks(const Structure& s) {
+  return s.orbifold && !s.orbifold->marks.empty();
+}
+bool is_solved(const Structure& s) {
+  return s.search.structure.outcome == Outcome::geometric || is_turned_over(s);
+}
+
+Table<VertexId, hyperbolic::VertexType> types_of(const Structure& s) {
+  return s.orbifold ? s.orbifold->structure.types : hyperbolic::vertex_types(s.skeleton);
+}
+
+bool has_reason(const Structure& s) {
+  return s.why.has_value();
 }
 bool is_not_geometric(const Structure& s) {
   return !is_geometric(s);
@@ -84,26 +127,40 @@ std::string filling(int spheres) {
                    " boundary spheres are filled with balls: this is another manifold than the given one";
 }
 
-Rows no_structure(const hyperbolic::Search& search, const Skeleton& skeleton) {
-  const auto& found = search.structure;
-  return {{"outcome", outcome_word(found.outcome)},
-          {"reason", hyperbolic::describe(found, skeleton)},
-          {"tried", hyperbolic::describe(search)},
-          {"residual", scientific(found.residual, 1)},
-          {"iterations", std::to_string(found.iterations)}};
+Rows no_structure(const Structure& s) {
+  const auto& found = s.search.structure;
+  Rows rows{{"outcome", outcome_word(s)}};
+  if (s.why) {
+    const Rows proof = rows_of(*s.why);
+    rows.insert(rows.end(), proof.begin(), proof.end());
+    return rows;
+  }
+  rows.insert(rows.end(), {{"reason", reason(s)},
+                           {"tried", tried(s)},
+                           {"residual", scientific(found.residual, 1)},
+                           {"iterations", std::to_string(found.iterations)}});
+  return rows;
 }
 
-void add_edges(const hyperbolic::Metric<double>& lengths, const Skeleton& skeleton, Rows& rows) {
-  const auto types = hyperbolic::vertex_types(skeleton);
+/// ", order 3"; nothing of an unmarked edge.
+std::string order_of(const Structure& s, EdgeId e) {
+  if (!has_marks(s) || s.orbifold->structure.orders[e] == 1) return {};
+  const double order = s.orbifold->structure.orders[e];
+  return order == 0 ? ", null" : ", order " + rounded(order);
+}
+
+void add_edges(const Structure& s, Rows& rows) {
+  const auto types = types_of(s);
+  const auto& lengths = s.search.structure.lengths;
   for (const EdgeId e : all<EdgeId>(lengths.size()))
     rows.emplace_back("edge " + std::to_string(e.value),
                       "length " + fixed(lengths[e], 10) +
-                          (into_a_cusp(skeleton, types, e) ? " to the horosphere" : "") + ", valence " +
-                          std::to_string(skeleton.valence(e)));
+                          (into_a_cusp(s.skeleton, types, e) ? " to the horosphere" : "") + ", valence " +
+                          std::to_string(s.skeleton.valence(e)) + order_of(s, e));
 }
 
 Tree edges_into_cusps(const Structure& s) {
-  const auto types = hyperbolic::vertex_types(s.skeleton);
+  const auto types = types_of(s);
   Tree edges = Tree::array();
   for (const EdgeId e : all<EdgeId>(s.search.structure.lengths.size()))
     if (into_a_cusp(s.skeleton, types, e)) edges.push_back(e.value);
@@ -118,7 +175,7 @@ Tree cusps_tree(const Structure& s) {
 
 Tree error_of_volume(const Structure& s) {
   const double error = s.search.structure.volume_error;
-  return is_geometric(s) && std::isfinite(error) ? Tree(error) : Tree();
+  return is_solved(s) && std::isfinite(error) ? Tree(error) : Tree();
 }
 
 Tree lengths_of(const Structure& s) {
@@ -172,17 +229,72 @@ void add_certified(const Structure& s, Rows& rows) {
 
 Verdict Structure::verdict() const {
   const Outcome outcome = search.structure.outcome;
+  if (has_bad_vertex(*this)) return Verdict::proved_no;
   if (outcome == Outcome::geometric) return is_not_certified(*this) ? Verdict::undecided : Verdict::yes;
-  return outcome == Outcome::projective_plane ? Verdict::proved_no : Verdict::undecided;
+  return outcome == Outcome::projective_plane || why ? Verdict::proved_no : Verdict::undecided;
 }
 
-Structure structure(const Triangulation& tri, const StructureOptions& options, const Progress& progress) {
+std::optional<reasons::Reason> proved_no(const Triangulation& tri, std::uint64_t seed,
+                                         const Progress& progress) {
+  reasons::ReasonOptions how;
+  how.seed = seed;
+  return reasons::why_not_hyperbolic(tri, how, progress);
+}
+
+namespace {
+
+Structure without_marks(const Triangulation& tri, const StructureOptions& options, const Progress& progress) {
   hyperbolic::Search search = solve(tri, options, progress);
   Skeleton skeleton(search.triangulation);
-  Structure found{std::move(search), std::move(skeleton), {}, {}, {}, options.digits};
+  return {std::move(search), std::move(skeleton), {}, {}, {}, options.digits};
+}
+
+/// By the ways to orbifolds, which serve closed manifolds too.
+Structure as_orbifold(const Triangulation& tri, const StructureOptions& options, const Progress& progress) {
+  hyperbolic::OrbifoldSearch found = find_marked(tri, options, progress);
+  hyperbolic::Search search = as_search(found);
+  Skeleton skeleton(search.triangulation);
+  return {std::move(search), std::move(skeleton), {}, {}, {}, options.digits, std::move(found)};
+}
+
+bool is_closed_manifold(const Skeleton& skeleton) {
+  for (const VertexId v : all<VertexId>(skeleton.vertex_count()))
+    if (!skeleton.link(v).is_sphere()) return false;
+  return !skeleton.has_boundary_faces();
+}
+
+Structure found_any_way(const Triangulation& tri, const StructureOptions& options, const Progress& progress) {
+  if (!options.marks.empty()) return as_orbifold(tri, options, progress);
+  const bool may_be_closed = options.method == hyperbolic::Method::newton;
+  if (may_be_closed && is_worth_trying(tri) && is_closed_manifold(Skeleton(tri)))
+    return as_orbifold(tri, options, progress);
+  Structure found = without_marks(tri, options, progress);
+  if (!may_be_closed || found.search.structure.outcome != Outcome::finite_vertices ||
+      !is_worth_trying(found.search.triangulation) || !is_closed_manifold(found.skeleton))
+    return found;
+  const int spheres = found.search.filled_spheres;
+  Structure closed = as_orbifold(found.search.triangulation, options, progress);
+  closed.search.filled_spheres = spheres;
+  closed.search.changed = true;
+  closed.orbifold->changed = true;
+  return closed;
+}
+
+} // namespace
+
+Structure structure(const Triangulation& tri, const StructureOptions& options, const Progress& progress) {
+  Structure found = found_any_way(tri, options, progress);
   const bool certifies = options.certify || options.digits > 0;
   if (!is_geometric(found)) {
+    if (!options.as_given && options.marks.empty() && !is_turned_over(found))
+      found.why = proved_no(found.search.triangulation, options.seed, progress);
     if (certifies) found.certified = verified::Certification{std::nullopt, "no structure was found"};
+    return found;
+  }
+  if (found.orbifold) {
+    if (certifies)
+      found.certified = verified::Certification{
+          std::nullopt, "structures with marked edges or finite vertices are not certified yet"};
     return found;
   }
   found.cusps = hyperbolic::cusps(found.search.triangulation, found.skeleton, found.search.structure.lengths);
@@ -193,16 +305,17 @@ Structure structure(const Triangulation& tri, const StructureOptions& options, c
 Rows rows_of(const Structure& s) {
   const auto& found = s.search.structure;
   Rows rows;
-  if (is_geometric(s)) {
-    rows = {{"outcome", hyperbolic::describe(s.search)},
+  if (is_solved(s)) {
+    rows = {{"outcome", tried(s)},
             {"signature", signature(s.search.triangulation)},
             {"volume", has_digits(s) ? digits_of_volume(s) : fixed(found.volume, 12)}};
     add_certified(s, rows);
+    if (s.orbifold) add_orbifold(*s.orbifold, s.skeleton, rows);
     if (!(found.volume_error < last_digit_of_volume))
       rows.emplace_back("error", "volume right to within " + scientific(found.volume_error, 1));
     rows.emplace_back("residual", scientific(found.residual, 1));
     rows.emplace_back("iterations", std::to_string(found.iterations));
-    add_edges(found.lengths, s.skeleton, rows);
+    add_edges(s, rows);
     for (const auto& cusp : s.cusps)
       rows.emplace_back("cusp " + std::to_string(cusp.vertex.value), describe(cusp));
     for (std::size_t t = 0; t < found.dihedral_angles.size(); ++t) {
@@ -211,7 +324,7 @@ Rows rows_of(const Structure& s) {
       rows.emplace_back("angles " + std::to_string(t), joined(angles, " "));
     }
   } else {
-    rows = no_structure(s.search, s.skeleton);
+    rows = no_structure(s);
   }
   const int spheres = s.search.filled_spheres;
   if (spheres > 0) rows.insert(rows.begin() + 1, {"filled", filling(spheres)});
@@ -221,7 +334,8 @@ Rows rows_of(const Structure& s) {
 format::Document document_of(const Structure& s) {
   format::Document document = format::document_of(s.search.triangulation);
   const auto& found = s.search.structure;
-  const auto types = hyperbolic::vertex_types(s.skeleton);
+  const auto types = types_of(s);
+  if (s.orbifold) document.marks = s.orbifold->marks;
   format::Metric metric;
   for (int t = 0; t < document.triangulation.size(); ++t) {
     metric.edge_lengths.emplace_back();
@@ -242,19 +356,35 @@ template <>
 const FieldList<Structure>& fields_of<Structure>() {
   using S = const Structure&;
   static const FieldList<Structure> fields{
-      {{"outcome", "", "geometric, not hyperbolic (proved), or not found"},
-       [](S s) -> Tree { return outcome_word(s.search.structure.outcome); }},
+      {{"outcome", "",
+        "geometric, turned over (solved, but some tetrahedra are flat or inside out), not "
+        "hyperbolic (proved), or not found"},
+       [](S s) -> Tree { return outcome_word(s); }},
       {{"reason", "", "why there is no structure, in a word"},
-       [](S s) -> Tree { return hyperbolic::to_string(s.search.structure.outcome); },
+       [](S s) -> Tree { return reason_word(s); },
        is_not_geometric},
       {{"explanation", "", "the same with its place"},
-       [](S s) -> Tree { return hyperbolic::describe(s.search.structure, s.skeleton); },
+       [](S s) -> Tree { return reason(s); },
        is_not_geometric},
-      {{"tried", "", "how structures were sought"},
-       [](S s) -> Tree { return hyperbolic::describe(s.search); },
-       is_not_geometric},
+      {{"why", "", "the proof that the manifold is not hyperbolic: kind, text, theorem, and what shows it"},
+       [](S s) -> Tree { return tree_of(*s.why); },
+       has_reason},
+      {{"tried", "", "how structures were sought"}, [](S s) -> Tree { return tried(s); }, is_not_geometric},
+      {{"solved_by", "", "newton or homotopy: how marked edges or a closed manifold were solved"},
+       [](S s) -> Tree { return to_string(s.orbifold->structure.method); },
+       has_orbifold},
+      {{"marks", "", "of each marked edge a tetrahedron, its edge, and the order; 0: parabolic"},
+       [](S s) -> Tree { return marks_tree(*s.orbifold); },
+       has_marks},
+      {{"vertices", "",
+        "of each vertex its type, its link, and the link's Euler characteristic with the marks"},
+       [](S s) -> Tree { return vertices_tree(*s.orbifold, s.skeleton); },
+       has_orbifold},
+      {{"orientation", "", "of each tetrahedron 1, 0 (flat) or -1 (turned over)"},
+       [](S s) -> Tree { return s.orbifold->structure.orientation; },
+       has_orbifold},
       {{"volume", "curvature -1", "the volume; null without a structure"},
-       [](S s) { return is_geometric(s) ? Tree(s.search.structure.volume) : Tree(); }},
+       [](S s) { return is_solved(s) ? Tree(s.search.structure.volume) : Tree(); }},
       {{"volume_error", "curvature -1", "a bound of its error, given that the structure exists"},
        error_of_volume},
       {{"certified", "", "whether the structure is proved to exist"},
@@ -289,7 +419,7 @@ const FieldList<Structure>& fields_of<Structure>() {
       {{"into_cusps", "", "numbers of the edges that run into a cusp"}, edges_into_cusps, is_geometric},
       {{"cusps", "", "of each cusp its vertex, type, shape, the area of its cross-section, and a residual"},
        cusps_tree,
-       is_geometric},
+       has_cusps},
       {{"residual", "radians", "greatest angle defect of an edge"},
        [](S s) -> Tree { return s.search.structure.residual; }},
       {{"iterations", "", "steps of the method"}, [](S s) -> Tree { return s.search.structure.iterations; }}};

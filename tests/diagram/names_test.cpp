@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "tetrarch/diagram/names.hpp"
 
+#include "tetrarch/core/error.hpp"
 #include "tetrarch/diagram/exterior.hpp"
 #include "tetrarch/diagram/moves.hpp"
+#include "tetrarch/diagram/read.hpp"
 #include "tetrarch/hyperbolic/search.hpp"
 #include "tetrarch/identify/identify.hpp"
 
 #include <catch2/catch.hpp>
+#include <fstream>
 #include <map>
 #include <set>
+#include <sstream>
 
 using namespace tetrarch;
 using namespace tetrarch::diagram;
@@ -46,9 +50,95 @@ TEST_CASE("the knots of the table are knots, and all differ", "[names]") {
   }
 }
 
+TEST_CASE("links by name are those of Regina's kernel", "[names]") {
+  // tests/oracle/record_named_links.py; no other volumes of links to seven crossings stand in Adams,
+  // Hildebrand and Weeks (1991): L6a4, the Borromean rings, has 7.327724753418, L6a5, the magic
+  // link, 5.333489566898.
+  std::ifstream file(TETRARCH_SOURCE_DIR "/tests/oracle/regina_named_links.txt");
+  REQUIRE(file);
+  int links = 0;
+  int hyperbolic = 0;
+  for (std::string line; std::getline(file, line);) {
+    if (line.starts_with('#')) continue;
+    INFO(line);
+    std::istringstream fields(line);
+    std::string name;
+    std::string count;
+    std::string volume;
+    std::getline(fields, name, '|');
+    std::getline(fields, count, '|');
+    std::getline(fields, volume, '|');
+    const Diagram link = *named_diagram(name);
+    ++links;
+    CHECK(crossing_count(link) == name[1] - '0');
+    CHECK(vertex_count(link) == 0);
+    CHECK(components(link).count == std::stoi(count));
+    if (volume == "-") continue;
+    ++hyperbolic;
+    const auto found = hyperbolic::find_structure(exterior(link), {});
+    CHECK(found.structure.volume == Approx(std::stod(volume)).margin(1e-10).epsilon(0));
+  }
+  CHECK(links == 130);
+  CHECK(hyperbolic == 116);
+}
+
+TEST_CASE("graphs by name", "[names]") {
+  int graphs = 0;
+  for (const std::string& name : tabulated_names()) {
+    if (name.front() == 'L') continue;
+    INFO(name);
+    ++graphs;
+    const Diagram graph = *named_diagram(name);
+    CHECK(vertex_count(graph) == 2);
+    CHECK(components(graph).count == 1);
+    CHECK(edges(graph).count == 3);
+    const std::string number = name.substr(name.find_first_of("0123456789"));
+    CHECK(crossing_count(graph) >= std::stoi(number));
+    // Theta curves have no loops; handcuff graphs have two.
+    int loops = 0;
+    for (int d = 0; d < graph.dart_count(); ++d)
+      for (int e = d + 1; e < graph.dart_count(); ++e)
+        loops += graph.node_of(d) == graph.node_of(e) && !graph.at_crossing(d) &&
+                 diagram::edges(graph).of[d] == diagram::edges(graph).of[e];
+    if (name.starts_with("theta")) CHECK(loops == 0);
+    if (name.starts_with("handcuff")) CHECK(loops == 2);
+  }
+  CHECK(graphs == 21 + 26 + 13);
+}
+
+TEST_CASE("Conway's notation of the knots to nine crossings", "[names]") {
+  // Conway (1970); Rolfsen, appendix C: one knot of each kind of notation, two links.
+  const auto signature_of = [](const Diagram& diagram) {
+    return identify::identify(exterior(diagram)).isometry_signature;
+  };
+  for (const auto& [code, name] : std::map<std::string, std::string>{{"Conway[2 2]", "4_1"},
+                                                                     {"Conway[3 2]", "5_2"},
+                                                                     {"Conway[4 2]", "6_1"},
+                                                                     {"Conway[3 1 2]", "6_2"},
+                                                                     {"Conway[2 1 1 2]", "6_3"},
+                                                                     {"Conway[2 1 1 1 2]", "7_7"},
+                                                                     {"Conway[3, 3, 2]", "8_5"},
+                                                                     {"Conway[2 1, 2 1, 2]", "8_15"},
+                                                                     {"Conway[3, 2 1, -2]", "8_20"},
+                                                                     {"Conway[3, 3, 2+]", "9_16"},
+                                                                     {"Conway[3, 3, -2 -1]", "9_46"},
+                                                                     {"Conway[2 1 2]", "L5a1"},
+                                                                     {"Conway[2 2 1 1 1 2]", "9_31"}}) {
+    INFO(code << " is " << name);
+    const Diagram diagram = read_diagram(code, "test");
+    CHECK_FALSE(signature_of(diagram).empty());
+    CHECK(signature_of(diagram) == signature_of(*named_diagram(name)));
+  }
+  CHECK(crossing_count(read_diagram("Conway[3 1 2]", "test")) == 6);
+  for (const char* wrong :
+       {"Conway[]", "Conway[3", "Conway[3 x]", "Conway 3", "Conway[3,]", "Conway[2000000]"})
+    CHECK_THROWS_AS(read_diagram(wrong, "test"), InputError);
+}
+
 TEST_CASE("what is no name of a knot", "[names]") {
   for (const char* name :
-       {"", "_", "4_", "_1", "4_2", "1_1", "11_1", "10_166", "4_1 ", "4_01x", "99999999_1", "m004"})
+       {"",           "_",    "4_", "_1",  "4_2",  "1_1", "11_1",  "10_166", "4_1 ",     "4_01x",
+        "99999999_1", "m004", "L",  "L6a", "L6a6", "hk",  "hk4_2", "hkL6a4", "theta2_1", "handcuff3_1"})
     CHECK_FALSE(named_diagram(name).has_value());
   CHECK(rolfsen_braid("4_1") == std::vector<int>{-1, 2, -1, 2});
 }

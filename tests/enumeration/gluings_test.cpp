@@ -363,3 +363,29 @@ TEST_CASE("senseless requests are refused") {
   options.threads = 0;
   CHECK_THROWS_AS(count_gluings(options), PreconditionError);
 }
+
+TEST_CASE("units and streams hold the same gluings as the list", "[enumeration]") {
+  for (const int tets : {1, 2, 3}) {
+    GluingOptions options = everything(tets);
+    const Signatures listed = gluing_signatures(options);
+    Signatures streamed;
+    for (const int threads : {1, 3}) {
+      options.threads = threads;
+      Signatures now;
+      enumerate_signatures(options, [&](const std::string& text) { now.push_back(text); });
+      if (threads > 1) CHECK(now == streamed); // the order, too
+      streamed = now;
+      std::sort(now.begin(), now.end());
+      CHECK(now == listed);
+    }
+    const GluingUnits units(options);
+    Signatures together;
+    for (int k = units.size(); k-- > 0;) {
+      const Signatures unit = units.signatures(k);
+      CHECK(std::is_sorted(unit.begin(), unit.end()));
+      together.insert(together.end(), unit.begin(), unit.end());
+    }
+    std::sort(together.begin(), together.end());
+    CHECK(together == listed);
+  }
+}

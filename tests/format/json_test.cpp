@@ -4,6 +4,7 @@
 #include "expect.hpp"
 #include "support/zoo.hpp"
 #include "tetrarch/core/signature.hpp"
+#include "tetrarch/format/read.hpp"
 
 #include <catch2/catch.hpp>
 #include <clocale>
@@ -152,4 +153,20 @@ TEST_CASE("a large triangulation is read and written in linear time", "[json]") 
   for (int t = 0; t + 1 < n; ++t) tri.glue({t, 2}, t + 1, Perm4(1, 0, 3, 2));
   const std::string text = write_json(document_of(tri));
   CHECK(read_json(text, "text").triangulation == tri);
+}
+
+TEST_CASE("marks survive", "[json]") {
+  Document document = document_of(from_signature("cPcbbbiht"));
+  document.marks = {{{0, 3}, 0}, {{1, 5}, 2.5}};
+  const std::string text = write_json(document);
+  CHECK(text.find("\"marks\": [\n    [0, \"12\", 0],\n    [1, \"23\", 2.5]\n  ]") != std::string::npos);
+  const Document again = read_json(text, "f");
+  CHECK(again.marks == document.marks);
+  CHECK(write_json(again) == text);
+  // What else can be written has no place for them, and says so.
+  for (const FileFormat format : {FileFormat::snappea, FileFormat::signature})
+    CHECK(write_any(document, format).warnings.back() ==
+          "the orders of 2 edges are left out: only JSON holds them");
+  document.marks.clear();
+  CHECK(write_json(document).find("marks") == std::string::npos);
 }

@@ -55,8 +55,11 @@ TEST_CASE("an Orb file is read", "[orb]") {
 
 TEST_CASE("an Orb file of a graph's complement is read", "[orb]") {
   const Document document = read_any(graph, "f");
-  CHECK(document.passed_over.sentence() ==
-        "passed over: singular order of an edge, of which the underlying manifold has none (3)");
+  CHECK(document.passed_over.empty());
+  // The three singular edges of the file, all of order 0; by hand: 1wu is the edge vx of tetrahedron 0, 1xw
+  // and 2vu the edges uv of tetrahedron 0 and wx of tetrahedron 1.
+  CHECK(document.marks ==
+        Marks{{{0, edge_number[1][3]}, 0}, {{0, edge_number[0][1]}, 0}, {{1, edge_number[2][3]}, 0}});
   // The second route: the degrees of the file's edges are those of the skeleton.
   const Skeleton skeleton(document.triangulation);
   CHECK(skeleton.is_orientable());
@@ -79,6 +82,8 @@ TEST_CASE("wrong Orb files", "[bad][orb]") {
         "f:7: found '3wx', expected six edges of each tetrahedron; the edges have 12 in all");
   CHECK(spoilt("  1uw", "").substr(0, 16) == "f:6: found '2xv'");
   CHECK(spoilt("1wx", "1xw") == "f:7: found '2xw', expected the gluing that another edge says");
+  CHECK(spoilt("  2  0 1.000", "  2  1 0.500") ==
+        "f:7: found '0.500', expected a singular order: 0, 1 or a number above 1");
   CHECK(spoilt("  2  0 1.000", "  3  0 1.000") == "f:7: found '3', expected the number of an edge, 2");
   CHECK(spoilt("  2  0 1.000  1  1  2xw  1wx  2wu  1vu  2uv  1uw", "  2  0") ==
         "f:7: the line ends, expected a singular order");

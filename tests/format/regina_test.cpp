@@ -54,6 +54,17 @@ TEST_CASE("Regina's files hold the triangulations that it was given", "[regina]"
   CHECK(read_document(data("rga/open_3.rga")).triangulation.gluing({0, 0}) == Gluing{1, Perm4(0, 2, 1, 3)});
   CHECK(read_any(figure_eight, "f").triangulation ==
         read_document(data("rga/figure_eight_2.rga")).triangulation);
+  // Files of 2003 write the byte with a sign: these two lines are of Regina's own testsuite/engine/file4.rga.
+  const auto of_2003 = [](const std::string& code) {
+    return "<?xml version=\"1.0\"?>\n<reginadata engine=\"3.0.0\"><packet label=\"f\" type=\"Triangulation\" "
+           "typeid=\"3\" "
+           "parent=\"\"><tetrahedra ntet=\"2\"><tet desc=\"\"> 1 108 1 75 1 30 1 " +
+           code + " </tet>\n<tet desc=\"\"> 0 108 0 75 0 30 0 " + code +
+           " </tet></tetrahedra></packet></reginadata>\n";
+  };
+  CHECK(signature(read_any(of_2003("-58"), "f").triangulation) == "cPcbbbiht"); // so Regina 7.3
+  CHECK(read_any(of_2003("-58"), "f").triangulation == read_any(of_2003("198"), "f").triangulation);
+  CHECK_THROWS_AS(read_any(of_2003("-129"), "f"), InputError);
 }
 
 TEST_CASE("wrong Regina files", "[bad][regina]") {

@@ -1,18 +1,19 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "product/solids.hpp"
-#include "support/random.hpp"
 #include "tetrarch/hex/deviation.hpp"
 #include "tetrarch/hex/features.hpp"
 #include "tetrarch/hex/fill.hpp"
+#include "tetrarch/hex/fit.hpp"
 #include "tetrarch/hex/grid.hpp"
 #include "tetrarch/hex/layers.hpp"
-#include "tetrarch/hex/nearest.hpp"
+#include "tetrarch/hex/limbs.hpp"
+#include "tetrarch/hex/match.hpp"
+#include "tetrarch/hex/reach.hpp"
 
 #include <algorithm>
 #include <array>
 #include <catch2/catch.hpp>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <numbers>
 #include <set>
@@ -21,7 +22,6 @@
 using namespace tetrarch;
 using namespace tetrarch::hex;
 using namespace tetrarch::numeric;
-using support::Random;
 
 namespace {
 
@@ -74,36 +74,6 @@ void require_mesh(const product::HexMesh& mesh) {
 }
 
 } // namespace
-
-TEST_CASE("the nearest point is that of all triangles tried", "[hex]") {
-  Random random(3);
-  const auto point = [&] { return Point{random.uniform(), random.uniform(), random.uniform()}; };
-  std::vector<std::array<Point, 3>> triangles;
-  for (int k = 0; k < 200; ++k) {
-    const Point at = point();
-    triangles.push_back({at, at + 0.1 * point(), k % 7 == 0 ? at : at + 0.1 * point()});
-  }
-  const NearestTriangle tree(triangles);
-  for (int k = 0; k < 100; ++k) {
-    const Point p = point();
-    // Second route: points of each triangle on a fine grid of weights are never nearer.
-    double least = std::numeric_limits<double>::infinity();
-    constexpr int n = 20;
-    for (const auto& t : triangles)
-      for (int i = 0; i <= n; ++i)
-        for (int j = 0; i + j <= n; ++j) {
-          const double u = i / double{n};
-          const double v = j / double{n};
-          least = std::min(least, distance(p, (1 - u - v) * t[0] + u * t[1] + v * t[2]));
-        }
-    const Foot foot = tree.nearest(p);
-    CHECK(foot.distance <= least + 1e-12);
-    CHECK(foot.distance > least - 0.1 / n);
-    CHECK(distance(foot.at, p) == Approx(foot.distance));
-    CHECK(NearestTriangle({tree.corners(foot.triangle)}).nearest(foot.at).distance < 1e-12);
-  }
-  CHECK(NearestTriangle({}).nearest({}).triangle == -1);
-}
 
 TEST_CASE("a box has six patches, twelve ridges and eight corners", "[hex]") {
   const Features box = features(box_solid());
@@ -282,4 +252,88 @@ TEST_CASE("what no grid fits is not filled, and a stop is heeded", "[hex]") {
   std::stop_source stop;
   stop.request_stop();
   CHECK_THROWS_AS(fill(box_solid(), {}, Progress({}, stop.get_token())), Stopped);
+}
+
+TEST_CASE("a limb thinner than the cells keeps a row of them", "[hex]") {
+  // A cube of side 3 with a rod 0.4 thick and 3 long, which no cell of length 1 is half full of.
+  std::set<std::array<int, 3>> cube;
+  for (int x = 1; x < 4; ++x)
+    for (int y = 1; y < 4; ++y)
+      for (int z = 1; z < 4; ++z) cube.insert({x, y, z});
+  Marked marked(9, cube);
+  for (int x = 4; x < 7; ++x) marked.filled[marked.grid.index(x, 2, 2)] = 0.16F;
+  std::vector<char> met(marked.filled.size());
+  for (std::size_t k = 0; k < met.size(); ++k) met[k] = marked.filled[k] > 0 ? 1 : 0;
+  const auto any = [](const std::vector<float>&) { return true; };
+  const auto none = [](const std::vector<float>&) { return false; };
+  // The last one but one touches no cell that is taken, and from there the way goes back.
+  const std::vector<float> with = with_limbs(marked.grid, marked.filled, met, 0.5, any);
+  for (int x = 4; x < 7; ++x) CHECK(with[marked.grid.index(x, 2, 2)] == 1);
+  CHECK(std::count(with.begin(), with.end(), 1.0F) == 27 + 3);
+  CHECK(with_limbs(marked.grid, marked.filled, met, 0.5, none) == marked.filled);
+  // One that may be two cells long at most is laid by three quarters of three: two.
+  const auto short_ones = [&](const std::vector<float>& f) { return f[marked.grid.index(6, 2, 2)] < 1; };
+  const std::vector<float> part = with_limbs(marked.grid, marked.filled, met, 0.5, short_ones);
+  CHECK(std::count(part.begin(), part.end(), 1.0F) == 27 + 2);
+
+  // A shaft into a block of five, as thin: cells there are let out.
+  std::set<std::array<int, 3>> block;
+  for (int x = 1; x < 6; ++x)
+    for (int y = 1; y < 6; ++y)
+      for (int z = 1; z < 6; ++z) block.insert({x, y, z});
+  Marked pierced(7, block);
+  for (int x = 3; x < 6; ++x) pierced.filled[pierced.grid.index(x, 3, 3)] = 0.84F;
+  for (std::size_t k = 0; k < pierced.filled.size(); ++k) met[k] = pierced.filled[k] > 0 ? 1 : 0;
+  met.resize(pierced.filled.size());
+  const std::vector<float> opened = with_limbs(pierced.grid, pierced.filled, met, 0.5, any);
+  for (int x = 3; x < 6; ++x) CHECK(opened[pierced.grid.index(x, 3, 3)] == 0);
+}
+
+TEST_CASE("edges of tetrahedra meet cells that no sample point does", "[hex]") {
+  // A needle between the sample points of cells of length 1.
+  auto needle = support::box({4, 0.01, 0.01}, {1, 1, 1}, 0).mesh;
+  for (Point& p : needle.points) p = p + Vector{0.05, 0.05, 0.05};
+  const product::Solid solid = product::solid(needle);
+  Marked marked(6, {});
+  const std::vector<float> full = filled(solid, solid.mesh.points, marked.grid);
+  CHECK(*std::max_element(full.begin(), full.end()) == 0);
+  const std::vector<char> met = met_cells(solid, marked.grid, full);
+  CHECK(std::count(met.begin(), met.end(), 1) == 5);
+  for (int x = 0; x < 5; ++x) CHECK(met[marked.grid.index(x, 0, 0)] == 1);
+}
+
+TEST_CASE("what sticks out draws the square below it", "[hex]") {
+  const product::Solid solid = box_solid();
+  const Targets targets(solid, features(solid));
+  const std::vector<SurfaceSample> samples = surface_samples(targets, 0.25);
+  double area = 0;
+  for (const SurfaceSample& s : samples) area += s.area;
+  CHECK(area == Approx(22)); // 2 (6 + 3 + 2)
+  const Grid grid = grid_around(solid.mesh.points, 0.5);
+  std::vector<char> chosen = *chosen_cells(grid, filled(solid, solid.mesh.points, grid), 0);
+  product::HexMesh mesh = cells_of(grid, chosen).mesh;
+  for (const Vector& way : reach(mesh, samples, 1e-6, 1)) CHECK(way == Vector{});
+  // Half a unit is missing at the end of greatest x: its points are drawn there, and others hardly.
+  for (std::size_t k = 0; k < chosen.size(); ++k)
+    if (grid.cell(k)[0] == 6) chosen[k] = 0;
+  mesh = cells_of(grid, chosen).mesh;
+  const std::vector<Vector> way = reach(mesh, samples, 0.1, 1);
+  for (std::size_t v = 0; v < way.size(); ++v) {
+    if (mesh.points[v][0] < 2.4) CHECK(way[v] == Vector{});
+    if (mesh.points[v][0] == 2.5) CHECK(way[v][0] > 0.25);
+    CHECK(numeric::norm(way[v]) <= 0.5 + 1e-9);
+  }
+  for (const Vector& w : reach(mesh, samples, 0.1, 0.2)) CHECK(numeric::norm(w) < 0.2 + 1e-9);
+}
+
+TEST_CASE("points far inside stay where the grid has them", "[hex]") {
+  const product::Solid solid = product::solid(support::box({16, 16, 16}, {1, 1, 1}, 0).mesh);
+  const Grid grid = grid_around(solid.mesh.points, 1);
+  SizedHexahedra cells = cells_of(grid, *chosen_cells(grid, filled(solid, solid.mesh.points, grid), 0));
+  const std::vector<char> deep = deep_points(cells.mesh, unmatched(cells.mesh).home);
+  // By hand: more than six from the surface are those with coordinates 7, 8 and 9.
+  CHECK(std::count(deep.begin(), deep.end(), 1) == 27);
+  for (std::size_t v = 0; v < deep.size(); ++v)
+    for (const double x : cells.mesh.points[v])
+      if (deep[v] != 0) CHECK((x > 6.5 && x < 9.5));
 }

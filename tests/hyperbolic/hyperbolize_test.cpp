@@ -174,7 +174,7 @@ TEST_CASE("what can be said at once is said at once, with the culprit", "[hyperb
   CHECK(closed.vertex == VertexId(0));
   CHECK(undecided(closed.outcome));
   CHECK(describe(closed, Skeleton(sphere)) ==
-        "undecided: the manifold is closed, and structures of closed manifolds are not offered yet");
+        "undecided: the manifold is closed, and has no vertex to remove (solve_orbifold serves it)");
   const Triangulation pointed = moves::subdivided_1_4(support::zoo("knotted Y").triangulation()).tri;
   CHECK(describe(solve(pointed), Skeleton(pointed)) ==
         "undecided: the link of vertex 0 is a sphere; remove such vertices first");

@@ -436,7 +436,7 @@ class Errors(unittest.TestCase):
                 file.write("OFF\n3 1 0\n0 0 0\n1 0 x\n0 1 0\n3 0 1 2\n")
             with self.assertRaises(tt.InputError) as caught:
                 tt.Mesh.read(path)
-            self.assertEqual((caught.exception.file, caught.exception.line, caught.exception.code), (path, 4, "bad_input"))
+            self.assertEqual((caught.exception.file, caught.exception.line, caught.exception.code), (path, 4, "bad_content"))
             self.assertIsInstance(caught.exception, ValueError)
             again = pickle.loads(pickle.dumps(caught.exception))
             self.assertEqual(str(again), str(caught.exception))

@@ -404,4 +404,45 @@ TEST_CASE("Hints that are no four corners of each loop are refused") {
   refused([&](auto& hints) { hints[1][1] = further(ring.mesh.surface, hints[1][0], 1); });
 }
 
+/// The four vertices, whichever comes first.
+bool are_the_same(std::array<int, 4> a, std::array<int, 4> b) {
+  std::sort(a.begin(), a.end());
+  std::sort(b.begin(), b.end());
+  return a == b;
+}
+
+TEST_CASE("The corners of all rectangles are found from the outer ones, and those by their sharpness") {
+  const std::vector<Block> holes{{4, 9, 5, 10}, {13, 18, 8, 15}};
+  const Grid flat = grid(24, 20, holes, [](Complex z) { return in_plane(z); });
+  const auto loops = mesh::boundary_loops(flat.mesh);
+  const std::array<int, 4> corners = corners_of(flat.mesh, loops[0]);
+  CHECK(are_the_same(corners, flat.corners[0]));
+  // Loops of holes come by length: the larger hole is the second of the grid. Corners of holes are found up
+  // to half a side.
+  const auto hints = rectangle_hints(flat.mesh, corners);
+  REQUIRE(hints.size() == 3);
+  const RicciRectangles found = ricci_rectangles(flat.mesh, hints);
+  REQUIRE(found.found);
+  CHECK(slant(flat, found) < 1e-8);
+  CHECK(distortion_in_plane(flat.mesh, found.position).flipped.empty());
+}
+
+TEST_CASE("A loop without sharp corners gets them at quarters of its length, one too short none") {
+  constexpr int n = 24;
+  format::Soup soup;
+  soup.points.push_back({0, 0, 0});
+  for (int j = 0; j < n; ++j)
+    soup.points.push_back({std::cos(2 * half_turn * j / n), std::sin(2 * half_turn * j / n), 0});
+  for (int j = 0; j < n; ++j) soup.triangles.push_back({0, 1 + j, 1 + (j + 1) % n});
+  const mesh::TriangleMesh disk = mesh::build_surface(std::move(soup));
+  const std::array<int, 4> corners = corners_of(disk, mesh::boundary_loops(disk)[0]);
+  for (std::size_t c = 0; c < 4; ++c) CHECK((corners[(c + 1) % 4] - corners[c] + n) % n == n / 4);
+  // By the symmetry of the disk the rectangle is a square.
+  const RicciRectangles square = ricci_rectangles(disk, rectangle_hints(disk, corners));
+  REQUIRE(square.found);
+  CHECK(square.height == Approx(1).epsilon(1e-9));
+  const Grid small = grid(1, 2, {}, in_plane);
+  CHECK_THROWS_AS(corners_of(small.mesh, mesh::boundary_loops(small.mesh)[0]), InputError);
+}
+
 } // namespace

@@ -57,6 +57,34 @@ class Exteriors(InFolder):
         self.assertEqual(run_json("diagram", "10_165")[1]["components"], 1)
         self.assertEqual(run("exterior", "10_166").returncode, 2)
 
+    def test_links_and_graphs_by_name(self):
+        self.assertEqual(run_json("diagram", "L6a4")[1]["components"], 3)
+        self.assertEqual(run_json("census", "identify", "hk5_3")[1]["name"], "fmp2_8")
+        self.assertIn("exterior of hk5_3", run("census", "identify", "fmp2_8").stdout)
+        # 5_1 and 6_4: one exterior, without a structure.
+        for name in "hk5_1", "hk6_4":
+            found = run_json("census", "identify", name)[1]
+            self.assertEqual((found["name"], found["by"]), ("exterior of hk5_1, hk6_4, theta6_11, theta6_15, handcuff6_2", "triangulation"))
+        self.assertEqual(run("exterior", "hk7_1").returncode, 2)
+
+    def test_pairs(self):
+        status, found = run_json("isometric", "hk5_3", "hk5_3", "--pair")
+        self.assertEqual((status, found["equivalent"], found["proof"], found["extending"]), (0, True, "isometry", 6))
+        self.assertEqual((found["keeps_orientation"], found["reverses_orientation"]), (True, False))
+        self.assertEqual((found["x"]["group"], found["x"]["amphichiral"]), ("D3", False))
+        status, found = run_json("isometric", "hk6_6", "hk6_7", "--pair")
+        self.assertEqual((status, found["equivalent"], found["proof"]), (1, False, "volume"))
+        self.assertTrue(found["x"]["amphichiral"] and found["y"]["amphichiral"])
+        status, found = run_json("isometric", "hk5_1", "hk6_4", "--pair")
+        self.assertEqual((status, found["equivalent"], found["proof"]), (1, False, "images"))
+        self.assertTrue(found["exteriors_homeomorphic"])
+        # The unknot with its braid axis, and twisted once along that.
+        status, found = run_json("isometric", "braid 1 -2 3 2 1 1 2 3", "braid 1 -2 1 2 1 2 1 2 3 2 1 1 2 3", "--pair")
+        self.assertEqual((status, found["equivalent"], found["proof"], found["extending"]), (1, False, "meridians", 0))
+        self.assertTrue(found["exteriors_homeomorphic"])
+        self.assertEqual(run("isometric", "4_1", "V[1, 2, 3] V[1] V[2] V[3]", "--pair").returncode, 2)
+        self.assertIn("equivalent", run("isometric", "4_1", "4_1", "--pair").stdout)
+
     def test_mirror_and_seed(self):
         for more in (("--mirror",), ("--seed", "5")):
             self.assertEqual(run_json("exterior", FIGURE_EIGHT, *more)[1]["signature"], "cPcbbbiht")

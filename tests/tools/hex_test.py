@@ -2,8 +2,11 @@
 """Hexahedra that fill a solid: what the program says of them, and what is in the files."""
 import math
 import os
+import signal
+import subprocess
+import time
 
-from running import InFolder, SOURCE, medit, run, run_json
+from running import InFolder, PROGRAM, SOURCE, medit, run, run_json
 
 SIX = ((0, 1, 3, 7), (0, 3, 2, 7), (0, 2, 6, 7), (0, 6, 4, 7), (0, 4, 5, 7), (0, 5, 1, 7))
 # Of each corner of a hexahedron the three that it is joined to, right-handed.
@@ -147,3 +150,42 @@ class Hex(InFolder):
         status, made = run_json("hex", self.solid("turned.mesh", turned, tetrahedra), "--cells", "400")
         self.assertEqual((status, made["inverted"], made["ridges"]), (0, 0, 12), made)
         self.assertAlmostEqual(made["volume_ratio"], 1, delta=1e-3)
+
+    def test_one_signal_ends_it(self):
+        """In whatever stage it is: within a second of the processor's time."""
+        torus = os.path.join(SOURCE, "tests/data/genus5_smooth.mesh")
+        for number, after in ((signal.SIGINT, 0.2), (signal.SIGTERM, 1), (signal.SIGINT, 2.5), (signal.SIGTERM, 5)):
+            job = subprocess.Popen([PROGRAM, "hex", torus, "--cells", "20000", "-o", self.path("never.vtu")],
+                                   stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
+            while self.seconds(job) < after:
+                self.assertIsNone(job.poll())
+                time.sleep(0.02)
+            before = self.seconds(job)
+            job.send_signal(number)
+            said = job.stderr.read()
+            job.stderr.close()
+            _, status, used = os.wait4(job.pid, 0)
+            job.returncode = os.waitstatus_to_exitcode(status)
+            self.assertEqual((job.returncode, said), (130, b"tetrarch: interrupted; nothing was written\n"))
+            self.assertLess(used.ru_utime + used.ru_stime - before, 1, (number, after))
+            self.assertFalse(os.path.exists(self.path("never.vtu")))
+
+    @staticmethod
+    def seconds(job):
+        """Of the processor, so far."""
+        with open("/proc/%d/stat" % job.pid, encoding="ascii") as file:
+            words = file.read().rpartition(")")[2].split()
+        return (int(words[11]) + int(words[12])) / os.sysconf("SC_CLK_TCK")
+
+    def test_a_thin_limb(self):
+        """A cube of side 3 with a rod 0.2 thick and 3 long, turned; cells are three times as thick as the rod."""
+        places = [(x, y, z) for x in range(3) for y in range(3) for z in range(3)] + [(x, 1, 1) for x in range(3, 6)]
+        points, tetrahedra = cubes(places)
+        thin = {0: 0, 1: 1.4, 2: 1.6, 3: 3}
+        points = [[p[0], thin[p[1]], thin[p[2]]] for p in points]
+        turned = [[0.8 * p[0] - 0.6 * p[1], 0.6 * p[0] + 0.8 * p[1], p[2]] for p in points]
+        status, made = run_json("hex", self.solid("rod.mesh", turned, tetrahedra), "--edge", "0.6")
+        self.assertEqual(made["inverted"], 0)
+        # Without the rod it would be 3 over the diagonal.
+        self.assertLess(made["hausdorff"], 0.1 * 3 / math.hypot(5.4, 4.6, 3), made)
+        self.assertEqual(status == 0, made["doubts"] == [])

@@ -30,7 +30,7 @@ class Names(InFolder):
         self.assertEqual(run_json("info", name)[1]["signature"], "dLQbcccdero")
 
     def test_what_is_no_name_gets_one_line_with_near_names(self):
-        for text, near in (("m0", "m000"), ("m005", "m004"), ("fmp3_152", "fmp3_15"), ("T3", "T^3")):
+        for text, near in (("m0", "m000"), ("m0005", "m005"), ("fmp3_152", "fmp3_15"), ("T3", "T^3")):
             done = run("info", text)
             self.assertEqual((done.returncode, done.stdout, done.stderr.count("\n")), (2, "", 1), text)
             self.assertIn("no file, no name of a manifold and no isomorphism signature", done.stderr)
@@ -104,7 +104,10 @@ class Elements(InFolder):
         self.assertEqual([(l["input"], l["signature"]) for l in lines],
                          [(path + "#1", "cPcbbbiht"), (path + "#3", "cPcbbbihq")])
         self.assertEqual((lines[0]["name"], done.returncode, done.stderr.count("\n")), ("a", 2, 1))
-        self.assertIn(path + "#2: " + path + ":2: signature 'nonsense!'", done.stderr)
+        error = json.loads(done.stderr)["error"]
+        self.assertEqual((error["file"], error["code"]), (path + "#2", "bad_content"))
+        self.assertIn("signature 'nonsense!'", error["message"])
+        self.assertIn(path + "#2: " + path + ":2: signature 'nonsense!'", run("info", path + "#*").stderr)
         self.assertEqual(run("isometric", path + "#*", "cPcbbbihq").returncode, 2)
         self.assertEqual(run("isometric", self.list() + "#*", "cPcbbbihq").returncode, 1)  # one is no
         text = run("info", self.list() + "#*").stdout
@@ -115,7 +118,7 @@ class Elements(InFolder):
         self.assertEqual(len(run("info", one + "#*", "--json").stdout.splitlines()), 1)
         done = run("info", self.path("no.sig", "# none\n") + "#*", "--json")
         self.assertEqual((done.returncode, done.stdout), (2, ""))
-        self.assertIn("found no triangulations", done.stderr)
+        self.assertIn("found no triangulations", json.loads(done.stderr)["error"]["message"])
 
     def test_outputs_are_numbered(self):
         path = self.list()

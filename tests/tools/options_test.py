@@ -159,7 +159,7 @@ class Structures(Options):
 
     def test_attempts_are_counted(self):
         found = run_json("hyperbolize", "dLQacccjcog", "--attempts", "7")[1]
-        self.assertEqual((found["attempts"], found["outcome"]), (7, "not found"))
+        self.assertEqual((found["attempts"], found["outcome"]), (7, "not hyperbolic"))
 
     def test_the_canonical_triangulation_written(self):
         path = self.path("canonical.json")
@@ -393,7 +393,7 @@ class HelpTexts(unittest.TestCase):
     def test_values_have_names_that_say_what_they_are(self):
         kinds = {o["value"] for c in self.table["commands"] for o in c["options"] if not o["choices"]}
         self.assertEqual(kinds - {None}, {"FILE", "SURFACE", "MESH", "LIST", "HOLE", "VERTEX", "LOOP", "F,C", "INT", "FLOAT",
-                                           "TOL", "K", "DIR", "I/K", "GROUP", "A..B"})
+                                           "TOL", "K", "DIR", "I/K", "GROUP", "A..B", "EDGES", "EDGE:N"})
         for command in self.table["commands"]:
             for option in command["options"]:
                 if "--output" in option["names"]:

@@ -4,17 +4,21 @@
 
 Usage: program_test.py PROGRAM SOURCE_DIR
 """
+import contextlib
 import hashlib
 import json
+import lzma
 import math
 import os
 import re
 import signal
+import sqlite3
 import subprocess
 import sys
 import tempfile
 import time
 import unittest
+import unittest.mock
 from fractions import Fraction
 
 from diagrams_test import *  # noqa: F401,F403: knots, links and graphs in space
@@ -22,8 +26,9 @@ from hex_test import *  # noqa: F401,F403: hexahedra of solids
 from hostile_test import *  # noqa: F401,F403: files and surroundings that mean no good
 from inputs_test import *  # noqa: F401,F403: what stands for a triangulation
 from meshes_test import *  # noqa: F401,F403: meshes from elsewhere, and mending them
+from marked_test import *  # noqa: F401,F403: cone angles, parabolic meridians, closed manifolds
 from options_test import *  # noqa: F401,F403: the tests of options that stand nowhere else
-from running import PROGRAM, InFolder, SOURCE, medit, run, run_json, unused_options
+from running import INSTRUMENTED, PROGRAM, InFolder, SOURCE, medit, run, run_json, unused_options
 
 
 class Info(unittest.TestCase):
@@ -116,8 +121,24 @@ class Hyperbolize(unittest.TestCase):
         self.assertEqual((closed["cusps"], closed["into_cusps"]), ([], []))
 
     def test_false_convergence_is_not_found(self):
-        status, found = run_json("hyperbolize", "dLQacccjcog")
+        status, found = run_json("hyperbolize", "dLQacccjcog", "--as-given")
         self.assertEqual((status, found["outcome"]), (4, "not found"))
+
+    def test_what_is_not_hyperbolic_is_told_with_its_proof(self):
+        # One of the three gluings of three tetrahedra without a structure: the group splits (a generator in powers only).
+        status, found = run_json("hyperbolize", "dLQacccjcog")
+        self.assertEqual((status, found["outcome"], found["reason"]), (1, "not hyperbolic", "root"))
+        group = found["why"]["group"]
+        self.assertEqual(group["triangulation"], found["signature"])
+        self.assertGreater(group["exponents"][0], 1)
+        text = run("hyperbolize", "dLQacccjcog").stdout
+        self.assertIn(group["shown"], text)
+        self.assertRegex(text, "(?m)^theorem ")
+        status, cells = run_json("canonize", "dLQacccjcog")
+        self.assertEqual((status, cells["outcome"], cells["why"]["kind"]), (1, "not hyperbolic", "root"))
+        # Two trefoils (Regina: the essential torus swallows one and follows the other).
+        status, found = run_json("hyperbolize", "eLMkbcddddlihu")
+        self.assertEqual((status, found["outcome"]), (1, "not hyperbolic"))
 
     def test_a_metric_file_keeps_its_structure(self):
         with tempfile.TemporaryDirectory() as folder:
@@ -242,9 +263,19 @@ class Canonize(unittest.TestCase):
         status, answer = run_json("isometric", "fmp2_1", "fmp2_2")
         self.assertEqual((status, answer["isometric"]), (1, False))
 
-    def test_nothing_is_claimed_without_a_structure(self):
+    def test_one_without_a_structure_is_another_manifold(self):
         status, answer = run_json("isometric", "fmp2_1", "dLQacccjcog")
-        self.assertEqual((status, answer["isometric"]), (4, None))
+        self.assertEqual(status, 1)
+        self.assertIn(answer["proof"], ("homology", "boundary", "structure"))
+
+    def test_covers_tell_apart_what_has_no_structure(self):
+        # Trefoil and torus knot T(2,5): H1 = Z, one torus. The trefoil's group maps onto S3 and T(2,5)'s does not.
+        status, answer = run_json("isometric", "3_1", "5_1")
+        self.assertEqual((status, answer["isometric"], answer["proof"]), (1, False, "covers"))
+        self.assertIn("covers of", answer["reason"])
+        # Homeomorphic, and said so without a structure.
+        status, answer = run_json("isometric", "cPcbbbadu", "cPcbbbadu")
+        self.assertEqual((status, answer["isometric"], answer["proof"]), (0, True, "isomorphism"))
 
 
 class Census(unittest.TestCase):
@@ -312,12 +343,58 @@ class Identify(unittest.TestCase):
             self.assertEqual(run("census", "list", *options).returncode, 2, options)
         self.assertEqual(run_json("census", "identify", "eLAkbcbdddhjhk")[1]["name"], "fmp4_1")
 
+    def test_tables_in_one_file(self):
+        with tempfile.TemporaryDirectory() as folder:
+            file, lines = os.path.join(folder, "census.sqlite"), os.path.join(folder, "three.jsonl")
+            self.assertEqual(run("census", "enumerate", "--tetrahedra", "3", "--brief", "-o", lines).returncode, 0)
+            packed = os.path.join(folder, "three.jsonl.xz")
+            with open(lines, "rb") as plain, lzma.open(packed, "wb") as xz:
+                xz.write(plain.read())
+            status, made = run_json("census", "table", packed, f"{SOURCE}/census/fmp4.json", "-o", file)
+            self.assertEqual((status, made["manifolds"]), (0, 151 + 5033))
+            # Others read it: Python's own SQLite counts as Frigerio, Martelli and Petronio do.
+            with contextlib.closing(sqlite3.connect(file)) as db:
+                rows = db.execute("select boundary, count(*) from manifold where tetrahedra = 4 and cusps = 0 group by boundary")
+                self.assertEqual(dict(rows), {"[2]": 628, "[3]": 2034, "[4]": 2340})
+                self.assertEqual(db.execute("pragma integrity_check").fetchall(), [("ok",)])
+            for options, count in ((("--tetrahedra", "4", "--boundary", "2", "--cusps", "0"), 628), (("--volume", "10.42.."), 74)):
+                for table in (file, packed, lines):
+                    if table == file or "--tetrahedra" not in options:
+                        self.assertEqual(run_json("census", "list", "--table", table, "--count", *options)[1]["count"], count)
+            brief = run_json("census", "list", "--table", file)[1]["manifolds"]
+            for entry, stored in zip(brief, run_json("census", "list")[1]["manifolds"]):
+                del stored["dihedral_angles"]
+                self.assertEqual(entry, stored)
+            self.assertEqual(run_json("census", "show", "fmp3_17", "--table", file)[1], brief[16])
+            self.assertEqual(run_json("census", "show", "fmp3_17", "--table", packed)[1], brief[16])
+            self.assertEqual(run("census", "show", "fmp2_1", "--table", file).returncode, 2)
+            self.assertEqual(run_json("census", "identify", "fmp3_17", "--table", file)[1]["name"], "fmp3_17")
+            for bad in (("census", "table", lines, lines, "-o", os.path.join(folder, "x")), ("census", "table", file, "-o", file),
+                        ("census", "list", "--table", os.path.join(folder, "none")),
+                        ("census", "table", lines, "-o", os.path.join(folder, "none", "x"))):
+                done = run(*bad)
+                self.assertEqual((done.returncode, done.stderr.count("\n")), (2, 1), bad)
+            self.assertEqual(sorted(os.listdir(folder)), ["census.sqlite", "three.jsonl", "three.jsonl.xz"])
+
+    def test_gluings_come_as_they_are_found(self):
+        job = subprocess.Popen([PROGRAM, "census", "gluings", "--tetrahedra", "7"], stdout=subprocess.PIPE)  # hours
+        self.assertEqual([job.stdout.readline()[:1] for _ in range(100)], [b"h"] * 100)
+        with open(f"/proc/{job.pid}/status", encoding="ascii") as status:
+            peak = next(int(line.split()[1]) for line in status if line.startswith("VmHWM"))
+        job.kill()
+        job.communicate()
+        if not INSTRUMENTED:
+            self.assertLess(peak, 400_000)  # kB
+
     def test_ones_own_table(self):
         with tempfile.TemporaryDirectory() as folder:
             table = os.path.join(folder, "own.json")
             with open(f"{SOURCE}/census/fmp3.json", encoding="utf-8") as file:
                 text = json.load(file)
-            # A manifold of five tetrahedra that no table holds (Frigerio, Martelli, Petronio stop at four).
+            # A manifold of five tetrahedra that no table holds: one's own file is the only one.
+            small = os.path.join(folder, "small.sqlite")
+            self.assertEqual(run("census", "table", f"{SOURCE}/census/fmp3.json", "-o", small).returncode, 0)
+            self.enterContext(unittest.mock.patch.dict(os.environ, TETRARCH_CENSUS=small))
             found = run_json("census", "identify", FIVE)[1]
             self.assertIsNone(found["name"])
             entry = {**text["manifolds"][0], "name": "mine", "signature": found["signature"],
@@ -352,6 +429,7 @@ class Identify(unittest.TestCase):
                     job.wait()
                     killed += 1
             self.assertGreater(killed, 0)
+            self.assertEqual(run(*enumerate_in("a", "--resume")[1:], "-o", table).returncode, 0)  # where all were killed
             with open(table, "rb") as new, open(f"{SOURCE}/census/fmp3.json", "rb") as old:
                 expected = old.read()
                 self.assertEqual(new.read(), expected)
@@ -366,6 +444,12 @@ class Identify(unittest.TestCase):
             with open(table, "rb") as new:
                 self.assertEqual(new.read(), expected)
             self.assertIn("missing from these folders", run("census", "merge", *folders[1:], "--tetrahedra", "3").stderr)
+            # Records without angles are others: they are merged as such alone.
+            self.assertEqual(run(*enumerate_in("brief", "--brief")[1:]).returncode, 0)
+            self.assertEqual(run("census", "merge", os.path.join(folder, "brief"), "--tetrahedra", "3").returncode, 2)
+            merged = run("census", "merge", os.path.join(folder, "brief"), "--tetrahedra", "3", "--brief").stdout
+            self.assertEqual(len(merged.splitlines()), 151)
+            self.assertNotIn("angles", merged)
             brief = run("census", "enumerate", "--tetrahedra", "2", "--brief").stdout
             self.assertNotIn("angles", brief)
             for bad in (("--shard", "0/3", "--work", folder), ("--shard", "4/3", "--work", folder), ("--shard", "1", "--work", folder),
@@ -800,8 +884,13 @@ class Errors(unittest.TestCase):
         done = run("check", path, "--json")
         self.assertEqual((done.returncode, done.stdout), (2, ""))
         error = json.loads(done.stderr)["error"]
-        self.assertEqual((error["code"], error["file"], error["line"]), ("bad_input", path, 4))
+        self.assertEqual((error["code"], error["file"], error["line"]), ("bad_content", path, 4))
         self.assertIn("'zero'", error["message"])
+        codes = {("info", "nonsense"): "unknown_name", ("info", "--bogus"): "bad_option", ("info", "m004", "--memory", "x"): "bad_option",
+                 ("check", os.path.join(folder.name, "none.off")): "bad_file", ("check", "cPcbbbihq"): "bad_file", ("no_command",): "bad_option",
+                 ("info", "L(6,2)"): "bad_value", ("hyperbolize", "<a | a^2>"): "wrong_kind"}
+        for words, code in codes.items():
+            self.assertEqual(json.loads(run(*words, "--json").stderr)["error"]["code"], code, words)
         for words in (["info", "nonsense"], ["info", "--bogus"], ["no_command"]):
             done = run(*words, "--json")
             self.assertEqual((done.returncode, done.stdout), (2, ""), words)
@@ -1522,6 +1611,73 @@ class Slit(InFolder):
         # Euler characteristic of a sphere with three holes.
         self.assertEqual(made["quads"]["vertices"] - len(edges) + len(faces), -1)
         self.assertIn("quads are written as", self.refused(self.ring, "--quads", "24", "-o", self.path("q.svg")))
+
+    def test_quads_of_a_wanted_edge(self):
+        for edge in (0.2, 0.05):
+            _, made = run_json("slit", self.ring, "--quad-edge", str(edge), "-o", self.path("quads.obj"))
+            # Squares of this edge would have the area of the surface: fewer quads are larger.
+            area = made["quads"]["count"] * edge ** 2
+            self.assertAlmostEqual(area / self.area(), 1, delta=0.15)
+            self.assertLess(abs(math.log(made["quads"]["mean_edge"] / edge)), 0.3)
+        self.assertIn("--quad-edge", self.refused(self.ring, "--quad-edge", "100"))
+        self.assertIn("not both", self.refused(self.ring, "--quads", "24", "--quad-edge", "0.1"))
+
+    def area(self):
+        with open(self.ring, encoding="utf-8") as file:
+            words = file.read().split()[1:]
+        n, m = int(words[0]), int(words[1])
+        points = [[float(x) for x in words[3 + 3 * k:6 + 3 * k]] for k in range(n)]
+        faces = [[int(x) for x in words[3 + 3 * n + 4 * k + 1:3 + 3 * n + 4 * k + 4]] for k in range(m)]
+        total = 0
+        for a, b, c in ([points[v] for v in f] for f in faces):
+            u, v = ([q - p for p, q in zip(a, x)] for x in (b, c))
+            total += math.hypot(u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]) / 2
+        return total
+
+    def test_areas_for_angles(self):
+        for domain in ("parallel", "concentric", "circular"):
+            _, plain = run_json("slit", self.ring, "--domain", domain)
+            code, made = run_json("slit", self.ring, "--domain", domain, "--balance")
+            self.assertEqual((code, made["flipped"], made["balanced"]["settled"]), (0, 0, True))
+            self.assertEqual(made["balanced"]["mean_area_error_before"], plain["mean_area_error"])
+            self.assertLess(made["mean_area_error"], 0.8 * plain["mean_area_error"])
+            self.assertGreater(made["mean_angle_error"], plain["mean_angle_error"])
+            self.assertLess(made["balanced"]["energy"], made["balanced"]["energy_before"])
+        # The surface is bent but a little, so that it may lie in the plane nearly as it is: its own area, all edges as long.
+        path = self.path("free.obj")
+        code, made = run_json("slit", self.ring, "--domain", "free", "-o", path)
+        self.assertEqual((code, made["flipped"], made["crossings"]), (0, 0, 0))
+        with open(path, encoding="utf-8") as file:
+            lines = [line.split() for line in file]
+        flat = [[float(x) / made["texture"]["scale"] for x in w[1:3]] for w in lines if w[0] == "vt"]
+        faces = [[int(x.split("/")[1]) - 1 for x in w[1:]] for w in lines if w[0] == "f"]
+        area = sum((flat[b][0] - flat[a][0]) * (flat[c][1] - flat[a][1]) - (flat[b][1] - flat[a][1]) * (flat[c][0] - flat[a][0])
+                   for a, b, c in faces) / 2
+        self.assertAlmostEqual(area / self.area(), 1, delta=0.03)
+        self.assertIn("--balance", self.refused(self.ring, "--domain", "free", "--balance"))
+
+    def test_needles_at_slit_ends(self):
+        for domain in ("parallel", "concentric"):
+            _, made = run_json("slit", self.ring, "--domain", domain)
+            ends = made["slit_ends"]
+            self.assertGreater(ends["max_quasiconformal_before"], 10)
+            self.assertLess(ends["max_quasiconformal"], 5)
+            self.assertLess(made["max_quasiconformal"], ends["max_quasiconformal_before"])
+            self.assertEqual(made["flipped"], 0)
+
+    def test_rectangles(self):
+        path = self.path("floor.svg")
+        code, made = run_json("slit", self.ring, "--domain", "rectangle", "-o", path)
+        self.assertEqual((code, made["flipped"], made["converged"], len(made["holes"])), (0, 0, True, 2))
+        self.assertLess(made["holonomy"], 1e-8)
+        for hole in made["holes"]:
+            self.assertTrue(0 < hole["left"] < hole["right"] < 1 and 0 < hole["bottom"] < hole["top"] < made["height"])
+        # The same corners named, from another one on: the rectangle turned by a quarter, so that its height is inverted.
+        corners = made["corners"][1:] + made["corners"][:1]
+        _, turned = run_json("slit", self.ring, "--domain", "rectangle", "--corners", ",".join(map(str, corners)))
+        self.assertAlmostEqual(turned["height"] * made["height"], 1, delta=0.02)
+        self.assertIn("four vertices", self.refused(self.ring, "--domain", "rectangle", "--corners", "1,2,3"))
+        self.assertIn("--domain rectangle", self.refused(self.ring, "--corners", "1,2,3,4"))
 
     def test_bad_surfaces(self):
         self.assertIn("torus", self.refused(os.path.join(SOURCE, "tests/data/mesh/torus.off")))

@@ -65,6 +65,7 @@ class Compiler(unittest.TestCase):
         self.assertEqual(seen("moves"), {"numeric", "core", "moves"})
         self.assertEqual(seen("mesh"), {"numeric", "core", "format", "mesh"})
         self.assertEqual(seen("scene"), {"numeric", "core", "format", "scene"})
+        self.assertEqual(seen("reasons"), {"core", "algebra", "moves", "reasons"})
         self.assertEqual(seen("enumeration"), {"numeric", "core", "enumeration"})
         # Headers of mesh include headers of format, which bundle does not see for all that; so with slit.
         self.assertEqual(seen("bundle"), {"numeric", "core", "mesh", "bundle"})

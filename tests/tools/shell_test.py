@@ -165,9 +165,9 @@ class Scripts(unittest.TestCase):
         self.assertTrue(done.stdout.endswith("Y  fmp2_8, triangulation of 2 tetrahedra\n"))
 
     def test_what_is_undecided_does_not_end_a_script(self):
-        done = pipe("hyperbolize cMcabbgqw", "Y = cPcbbbihq")  # finite vertices: no structure is sought
+        done = pipe("hyperbolize cMcabbgqw --as-given", "Y = cPcbbbihq")  # RP^3
         self.assertEqual((done.returncode, done.stderr), (0, ""))
-        self.assertIn("undecided", done.stdout)
+        self.assertIn("not found", done.stdout)
         self.assertTrue(done.stdout.endswith("Y: triangulation of 2 tetrahedra\n"))
 
     def test_interrupting_a_script_ends_it(self):

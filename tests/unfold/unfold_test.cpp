@@ -190,6 +190,43 @@ TEST_CASE("springs draw points to planes, lines and places", "[unfold]") {
   const Pull line{0, {Freedom::Kind::line, {0, 0, 1}}, {1, 1, 1}, 1};
   CHECK(line.away({2, 3, 4}) == numeric::Vector{1, 2, 0});
   CHECK_THROWS_AS(
-      unfold::unfold({box.problem.elements, box.problem.freedom, {{999, fixed, {}, 1}}}, box.points),
+      unfold::unfold({box.problem.elements, {}, box.problem.freedom, {{999, fixed, {}, 1}}}, box.points),
       PreconditionError);
+}
+
+TEST_CASE("A brick is its eight corners", "[unfold]") {
+  Random random(7);
+  constexpr std::array<Point, 8> cube{
+      {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}}};
+  constexpr std::array<std::array<int, 3>, 8> beside{
+      {{1, 3, 4}, {2, 0, 5}, {3, 1, 6}, {0, 2, 7}, {7, 5, 0}, {4, 6, 1}, {5, 7, 2}, {6, 4, 3}}};
+  const std::array<double, 3> lengths{0.5, 1, 2};
+  std::vector<Element> corners;
+  for (int c = 0; c < 8; ++c) {
+    std::array<int, 4> at{c};
+    std::array<Vector, 3> edges{};
+    for (std::size_t k = 0; k < 3; ++k) {
+      at[k + 1] = beside[c][k];
+      edges[k] = cube[beside[c][k]] - cube[c];
+      for (std::size_t a = 0; a < 3; ++a) edges[k][a] *= lengths[a];
+    }
+    corners.push_back(element(at, edges, 0.7));
+  }
+  const std::vector<Brick> bricks{brick({0, 1, 2, 3, 4, 5, 6, 7}, lengths, 0.7)};
+  for (const double epsilon : {1.0, 1e-3})
+    for (int trial = 0; trial < 20; ++trial) {
+      std::vector<Point> points(cube.begin(), cube.end());
+      for (Point& p : points)
+        for (double& x : p) x += random.uniform() - 0.5;
+      std::vector<Vector> expected;
+      std::vector<Vector> gradient(8, Vector{});
+      const double value = energy(corners, points, 0.5, epsilon, &expected);
+      CHECK(add_energy(bricks, points, 0.5, epsilon, gradient) == Approx(value));
+      for (std::size_t v = 0; v < 8; ++v)
+        for (std::size_t a = 0; a < 3; ++a)
+          CHECK(gradient[v][a] == Approx(expected[v][a]).epsilon(1e-9).margin(1e-9 * value));
+      const std::vector<double> d = determinants(corners, points);
+      for (std::size_t c = 0; c < 8; ++c) CHECK(determinants(bricks, points)[c] == Approx(d[c]));
+    }
+  CHECK_THROWS_AS(brick({}, {1, 0, 1}), PreconditionError);
 }

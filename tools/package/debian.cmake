@@ -41,7 +41,7 @@ set(development_needs "libboost-dev (>= 1.74)" "nlohmann-json3-dev (>= 3.11)" li
 if(BUILD_SHARED_LIBS)
   list(APPEND development_needs "tetrarch (= ${PROJECT_VERSION})")
 else()
-  list(APPEND development_needs libpugixml-dev zlib1g-dev liblz4-dev liblzma-dev libflint-dev libmpfi-dev)
+  list(APPEND development_needs libpugixml-dev zlib1g-dev liblz4-dev liblzma-dev libsqlite3-dev libflint-dev libmpfi-dev)
   if(TARGET tetrarch::flint-arb)
     list(APPEND development_needs libflint-arb-dev)
   endif()

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "command.hpp"
 #include "input.hpp"
+#include "samples.hpp"
 #include "text.hpp"
 
 #include "tetrarch/format/json.hpp"
 #include "tetrarch/workshop/canonical.hpp"
+#include "tetrarch/workshop/diagram.hpp"
+#include "tetrarch/workshop/pair.hpp"
 
 #include <memory>
 
@@ -39,15 +42,42 @@ Result canonize(const Options& options, const Context& context) {
   return result;
 }
 
-Result isometric(const std::string& x, const std::string& y, const Context& context) {
+struct IsometricOptions {
+  std::string x;
+  std::string y;
+  bool pair = false;
+};
+
+/// Of two diagrams, with what was drilled.
+Result compare_pairs(const IsometricOptions& options, const Context& context) {
+  context.reads->any = true;
+  const auto open = [&context](const std::string& what) {
+    return workshop::open_diagram(what, {{}, located}, context.seed, context.progress);
+  };
+  const diagram::Diagram x = open(options.x);
+  const diagram::Diagram y = open(options.y);
+  workshop::PairOptions how;
+  how.seed = context.seed;
+  const workshop::PairComparison found =
+      workshop::compare_pairs(x, options.x, y, options.y, how, context.progress);
+  Result result;
+  result.status = status_of(found.verdict);
+  result.json = tree_of(found);
+  result.text = text_of(found);
+  return result;
+}
+
+Result isometric(const IsometricOptions& options, const Context& context) {
+  if (options.pair) return compare_pairs(options, context);
+  const auto& [x, y, unused] = options;
   const format::Document given_x = read_triangulation(x, context);
   require_manifold(given_x.triangulation, x);
   const format::Document given_y = read_triangulation(y, context);
   require_manifold(given_y.triangulation, y);
-  workshop::CanonicalOptions options;
-  options.seed = context.seed;
+  workshop::CanonicalOptions how;
+  how.seed = context.seed;
   const workshop::Isometry found =
-      isometry({given_x.triangulation, x}, {given_y.triangulation, y}, options, context.progress);
+      isometry({given_x.triangulation, x}, {given_y.triangulation, y}, how, context.progress);
   Result result;
   result.warnings = given_x.warnings;
   result.warnings.insert(result.warnings.end(), given_y.warnings.begin(), given_y.warnings.end());
@@ -72,11 +102,13 @@ Run declare_canonize(OptionTable& table) {
 }
 
 Run declare_isometric(OptionTable& table) {
-  const auto x = std::make_shared<std::string>();
-  const auto y = std::make_shared<std::string>();
-  table.add("X", *x, "a triangulation that carries a hyperbolic structure").required();
-  table.add("Y", *y, "another triangulation that carries a hyperbolic structure").required();
-  return [x, y](const Context& context) { return isometric(*x, *y, context); };
+  const auto options = std::make_shared<IsometricOptions>();
+  table.add("X", options->x, "a triangulation that carries a hyperbolic structure").required();
+  table.add("Y", options->y, "another triangulation that carries a hyperbolic structure").required();
+  table.add("--pair", options->pair,
+            "X and Y are diagrams of links or graphs: compare the handlebodies in space, not their exteriors "
+            "alone, and tell symmetry groups");
+  return [options](const Context& context) { return isometric(*options, context); };
 }
 
 } // namespace tetrarch::program

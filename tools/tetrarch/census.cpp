@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include "census.hpp"
 #include "command.hpp"
 #include "samples.hpp"
 #include "text.hpp"
@@ -7,6 +8,7 @@
 #include "tetrarch/core/error.hpp"
 #include "tetrarch/core/signature.hpp"
 #include "tetrarch/enumeration/gluings.hpp"
+#include "tetrarch/format/new_files.hpp"
 #include "tetrarch/format/records.hpp"
 #include "tetrarch/format/text.hpp"
 
@@ -24,18 +26,6 @@ namespace {
 
 using catalogue::Manifold;
 using catalogue::Validation;
-
-Json manifold_json(const Manifold& m) {
-  Json j{{"name", nullptr}, {"tetrahedra", m.tetrahedra}};
-  j.update(Json::parse(json_text(m)));
-  return j;
-}
-
-/// A stored volume rounded to twelve decimals.
-std::string shortened(const std::string& volume) {
-  constexpr int decimals = 12;
-  return fixed(format::parse_double(volume).value_or(0), decimals);
-}
 
 Json validation_json(const Validation& v, double seconds) {
   Json j;
@@ -98,15 +88,6 @@ Result run_validation(int tetrahedra, const Context& context) {
   return result;
 }
 
-void add_tetrahedra(OptionTable& table, int& tetrahedra, bool required) {
-  Option& option = table.add("--tetrahedra", tetrahedra, "number of tetrahedra")
-                       .in_range(1, enumeration::max_gluing_tetrahedra);
-  if (required)
-    option.required();
-  else
-    option.with_default();
-}
-
 /// "2/4": the second of four.
 catalogue::Share share_in(const std::string& text) {
   constexpr int most_shares = 1'000'000;
@@ -121,10 +102,11 @@ catalogue::Share share_in(const std::string& text) {
 }
 
 /// The records of a folder, which is made if it is to be written to; or the file of the records itself.
-std::unique_ptr<format::Records> open_work(const std::string& folder, int tetrahedra,
+std::unique_ptr<format::Records> open_work(const std::string& folder, int tetrahedra, bool brief,
                                            format::Records::Open how) {
   std::error_code error;
-  const std::string heading = "classification of " + std::to_string(tetrahedra) + " tetrahedra";
+  const std::string heading =
+      "certified classification of " + std::to_string(tetrahedra) + " tetrahedra" + (brief ? ", brief" : "");
   if (how == format::Records::Open::read && std::filesystem::is_regular_file(folder, error))
     return std::make_unique<format::Records>(folder, heading, how);
   error.clear();
@@ -132,6 +114,75 @@ std::unique_ptr<format::Records> open_work(const std::string& folder, int tetrah
   if (error) throw InputError({folder, 0}, "this folder cannot be made: " + error.message());
   return std::make_unique<format::Records>((std::filesystem::path(folder) / "records").string(), heading,
                                            how);
+}
+
+/// A few of the signatures; all are in the JSON.
+std::string some_of(const std::vector<catalogue::Unsettled>& list) {
+  constexpr std::size_t most = 10;
+  std::string text;
+  for (std::size_t k = 0; k < std::min(most, list.size()); ++k)
+    text += (k == 0 ? "" : ", ") + list[k].signature;
+  return text + (list.size() > most ? ", ..." : "");
+}
+
+Json unsettled_json(const std::vector<catalogue::Unsettled>& list) {
+  Json json = Json::array();
+  for (const catalogue::Unsettled& u : list) json.push_back({{"signature", u.signature}, {"why", u.why}});
+  return json;
+}
+
+/// What keeps the list from being a census.
+void tell_unsettled(const catalogue::Classification& found, Result& result) {
+  const auto tell = [&](const std::vector<catalogue::Unsettled>& list, const char* noun, const char* what) {
+    if (list.empty()) return;
+    result.status = Status::undecided;
+    result.warnings.push_back(counted(static_cast<long long>(list.size()), noun) + what + some_of(list));
+  };
+  tell(found.stuck, "structure", " left out for want of a canonical decomposition: ");
+  tell(found.unproved, "structure", " without a proof of it or of its cells: ");
+  tell(found.open, "gluing", " without a structure, and without a proof that there is none: ");
+}
+
+Json summary_json(const catalogue::Classification& found) {
+  const catalogue::Tally& t = found.tally;
+  Json json{{"manifolds", found.manifolds.size()},
+            {"gluings", t.gluings},
+            {"geometric_gluings", t.geometric},
+            {"elsewhere", t.elsewhere},
+            {"none", t.none},
+            {"flat", t.flat},
+            {"certified", t.certified},
+            {"proved", t.proved},
+            {"widest", t.widest}};
+  json["arguments"] = Json::object();
+  for (const auto& [letter, count] : t.arguments) json["arguments"][std::string(1, letter)] = count;
+  json["reasons"] = Json::object();
+  for (const auto& [reason, count] : found.reasons) json["reasons"][reason] = count;
+  json["stuck"] = unsettled_json(found.stuck);
+  json["unproved"] = unsettled_json(found.unproved);
+  json["open"] = unsettled_json(found.open);
+  return json;
+}
+
+/// What became of the gluings.
+std::string summary_of(const catalogue::Classification& found) {
+  const catalogue::Tally& t = found.tally;
+  std::vector<std::pair<std::string, std::string>> rows{
+      {"gluings", std::to_string(t.gluings)},
+      {"  with a structure", std::to_string(t.geometric)},
+      {"  with a structure on another triangulation", std::to_string(t.elsewhere)},
+      {"  proved to have none", std::to_string(t.none)}};
+  for (const auto& [reason, count] : found.reasons) rows.emplace_back("    " + reason, std::to_string(count));
+  rows.emplace_back("  open", std::to_string(found.open.size()));
+  rows.emplace_back("structures certified",
+                    std::to_string(t.certified) + ", volumes within " + scientific(t.widest, 1));
+  std::string arguments;
+  for (const auto& [letter, count] : t.arguments)
+    arguments += (arguments.empty() ? "" : ", ") + std::string(1, letter) + " " + std::to_string(count);
+  rows.emplace_back("decompositions proved", std::to_string(t.proved));
+  rows.emplace_back("manifolds", std::to_string(found.manifolds.size()) + ", " + std::to_string(t.flat) +
+                                     " with cells other than tetrahedra; cells by argument: " + arguments);
+  return block(rows);
 }
 
 /// The manifolds, a line each or as a table in a file; and what is left open.
@@ -145,129 +196,21 @@ Result classification_result(const catalogue::Classification& found, int tetrahe
       result.warnings.push_back(output + " was not written: this is one of several shards");
     return result;
   }
+  const bool lines = format::has_extension(output, ".jsonl");
   if (output.empty())
     for (const Manifold& m : found.manifolds) result.text += manifold_json(m).dump() + "\n";
   else {
-    result.files.push_back({output, catalogue::write_table(tetrahedra, found.manifolds)});
-    result.text =
-        counted(static_cast<long long>(found.manifolds.size()), "manifold") + " written to " + output + "\n";
+    result.files.push_back({output, lines ? write_table_lines(tetrahedra, found.manifolds)
+                                          : write_table(tetrahedra, found.manifolds)});
+    result.json = summary_json(found);
+    result.text = summary_of(found) + counted(static_cast<long long>(found.manifolds.size()), "manifold") +
+                  " written to " + output + "\n";
   }
-  if (!found.stuck.empty()) {
-    result.status = Status::undecided;
-    result.warnings.push_back(
-        counted(found.tally.stuck, "structure") +
-        " left out for want of a canonical decomposition: " + joined(found.stuck, ", "));
-  }
-  if (found.tally.flat > 0)
-    result.warnings.push_back(counted(found.tally.flat, "manifold") +
-                              " with flat faces, distinguished by 60 digits and not by proof");
+  tell_unsettled(found, result);
   return result;
 }
 
-std::string without_blanks(std::string text) {
-  std::erase(text, ' ');
-  return text;
-}
-
-/// "3,2": genera, decreasing. Nothing for no text.
-std::optional<std::vector<int>> genera_in(const std::string& text) {
-  if (text.empty()) return std::nullopt;
-  constexpr int largest = 1000;
-  std::vector<int> genera;
-  for (std::size_t at = 0; at <= text.size();) {
-    const std::size_t comma = std::min(text.find(',', at), text.size());
-    const auto genus = format::parse_integer(std::string_view(text).substr(at, comma - at));
-    if (!genus || *genus < 2 || *genus > largest)
-      throw InputError("--boundary " + in_quotes(text) + ": expected genera from 2 on, such as 2 or 3,2");
-    genera.push_back(static_cast<int>(*genus));
-    at = comma + 1;
-  }
-  std::sort(genera.begin(), genera.end(), std::greater<>());
-  return genera;
-}
-
-/// "9..10": both ends included.
-std::pair<double, double> range_in(const std::string& text) {
-  constexpr double infinite = std::numeric_limits<double>::infinity();
-  if (text.empty()) return {-infinite, infinite};
-  const std::size_t dots = text.find("..");
-  const auto refuse = [&text] {
-    return InputError("--volume " + in_quotes(text) + ": expected a range such as 9..10");
-  };
-  if (dots == std::string::npos || text.size() == 2) throw refuse();
-  const auto end = [&](std::size_t from, std::size_t length, double otherwise) {
-    const std::string_view number = std::string_view(text).substr(from, length);
-    if (number.empty()) return otherwise;
-    const auto value = format::parse_double(number);
-    if (!value) throw refuse();
-    return *value;
-  };
-  return {end(0, dots, -infinite), end(dots + 2, std::string::npos, infinite)};
-}
-
-/// Which manifolds of a table are asked for.
-struct Wanted {
-  std::optional<std::vector<int>> boundary;
-  std::pair<double, double> volume;
-  std::string homology; ///< without blanks; empty: any
-  std::optional<int> cusps;
-
-  bool fits(const Manifold& m) const {
-    const double v = format::parse_double(m.volume).value_or(0);
-    return (!boundary || m.boundary == *boundary) && v >= volume.first && v <= volume.second &&
-           (homology.empty() || without_blanks(m.homology) == homology) && (!cusps || m.cusps == *cusps);
-  }
-};
-
 } // namespace
-
-Run declare_census_gluings(OptionTable& table) {
-  struct Options {
-    enumeration::GluingOptions gluings;
-    bool orientable = false;
-    bool nonorientable = false;
-    std::string links;
-    std::string output;
-  };
-  const auto options = std::make_shared<Options>();
-  add_tetrahedra(table, options->gluings.tetrahedra, true);
-  table.add("--orientable", options->orientable, "only orientable gluings");
-  table.add("--nonorientable", options->nonorientable, "only non-orientable gluings")
-      .excludes("--orientable");
-  table.add("--ideal", options->gluings.ideal, "only gluings with a vertex link other than a sphere");
-  table
-      .add("--links", options->links,
-           "only gluings whose vertex links are in this list: genera (0 for the sphere), nK for K crosscaps")
-      .value_name("LIST");
-  table
-      .add("--min-valence", options->gluings.min_valence,
-           "only gluings whose edges have at least this valence")
-      .in_range(1, 72);
-  table.add("--allow-invalid", options->gluings.allow_invalid,
-            "allow edges that are identified with themselves reversed");
-  table.add("-o,--output", options->output, "write the signatures to this file").value_name("FILE");
-  return [options](const Context& context) {
-    using Orientability = enumeration::GluingOptions::Orientability;
-    enumeration::GluingOptions gluings = options->gluings;
-    gluings.threads = context.threads;
-    if (options->orientable) gluings.orientability = Orientability::orientable;
-    if (options->nonorientable) gluings.orientability = Orientability::nonorientable;
-    if (!options->links.empty()) gluings.links = enumeration::parse_link_set(options->links);
-    const std::vector<std::string> signatures = enumeration::gluing_signatures(gluings, context.progress);
-    std::string lines;
-    for (const std::string& s : signatures) lines += s + "\n";
-    Result result;
-    result.json = {{"count", signatures.size()}, {"signatures", signatures}};
-    result.text = lines;
-    if (!options->output.empty()) {
-      result.text = counted(static_cast<long long>(signatures.size()), "gluing") + " written to " +
-                    options->output + "\n";
-      result.json.erase("signatures");
-      result.files.push_back({options->output, lines});
-    }
-    return result;
-  };
-}
 
 Run declare_census_enumerate(OptionTable& table) {
   struct Options {
@@ -280,7 +223,9 @@ Run declare_census_enumerate(OptionTable& table) {
   };
   const auto options = std::make_shared<Options>();
   add_tetrahedra(table, options->tetrahedra, true);
-  table.add("-o,--output", options->output, "write a census table to this file (the format of census/*.json)")
+  table
+      .add("-o,--output", options->output,
+           "write a census table to this file, as JSON, or as lines of JSON (.jsonl)")
       .value_name("FILE");
   table.add("--brief", options->brief, "leave the dihedral angles out");
   table
@@ -297,18 +242,18 @@ Run declare_census_enumerate(OptionTable& table) {
   return [options](const Context& context) {
     catalogue::WorkOptions how;
     how.threads = context.threads;
+    how.angles = !options->brief;
     if (!options->share.empty()) how.share = share_in(options->share);
     if (options->work.empty() && (options->resume || !options->share.empty()))
       throw InputError(std::string(options->resume ? "--resume" : "--shard") + " needs --work");
     std::unique_ptr<format::Records> records;
     if (!options->work.empty()) {
-      records = open_work(options->work, options->tetrahedra,
+      records = open_work(options->work, options->tetrahedra, options->brief,
                           options->resume ? format::Records::Open::resume : format::Records::Open::fresh);
       how.records.find = [&](const std::string& key) { return records->find(key); };
       how.records.keep = [&](const std::string& key, const std::string& text) { records->add(key, text); };
     }
-    auto found = catalogue::classify_manifolds(options->tetrahedra, how, context.progress);
-    if (options->brief) found.manifolds = without_angles(std::move(found.manifolds));
+    const auto found = catalogue::classify_manifolds(options->tetrahedra, how, context.progress);
     Result result = classification_result(found, options->tetrahedra, options->output);
     if (records && records->damaged() > 0)
       result.warnings.push_back(counted(records->damaged(), "damaged record") + " in " + options->work +
@@ -321,6 +266,7 @@ Run declare_census_merge(OptionTable& table) {
   struct Options {
     std::vector<std::string> folders;
     int tetrahedra = 3;
+    bool brief = false;
     std::string output;
   };
   const auto options = std::make_shared<Options>();
@@ -329,12 +275,16 @@ Run declare_census_merge(OptionTable& table) {
            "the folders that census enumerate --work wrote, or the files of records in them")
       .required();
   add_tetrahedra(table, options->tetrahedra, true);
-  table.add("-o,--output", options->output, "write a census table to this file (the format of census/*.json)")
+  table.add("--brief", options->brief, "the folders were written with --brief");
+  table
+      .add("-o,--output", options->output,
+           "write a census table to this file, as JSON, or as lines of JSON (.jsonl)")
       .value_name("FILE");
   return [options](const Context& context) {
     std::vector<std::unique_ptr<format::Records>> all;
     for (const std::string& folder : options->folders)
-      all.push_back(open_work(located(folder), options->tetrahedra, format::Records::Open::read));
+      all.push_back(
+          open_work(located(folder), options->tetrahedra, options->brief, format::Records::Open::read));
     catalogue::WorkOptions how;
     how.threads = context.threads;
     how.share.reset();
@@ -355,75 +305,6 @@ Run declare_census_validate(OptionTable& table) {
   const auto tetrahedra = std::make_shared<int>(3);
   add_tetrahedra(table, *tetrahedra, false);
   return [tetrahedra](const Context& context) { return run_validation(*tetrahedra, context); };
-}
-
-Run declare_census_list(OptionTable& table) {
-  struct Options {
-    int tetrahedra = 3;
-    std::string boundary;
-    std::string volume;
-    std::string homology;
-    std::optional<int> cusps;
-    bool count = false;
-  };
-  const auto o = std::make_shared<Options>();
-  add_tetrahedra(table, o->tetrahedra, false);
-  table.add("--boundary", o->boundary, "only with geodesic boundary of just these genera, such as 2 or 3,2")
-      .value_name("LIST");
-  table.add("--volume", o->volume, "only with a volume in this range; either end may be left out")
-      .value_name("A..B");
-  table.add("--homology", o->homology, "only with this first homology, such as 'Z^2 + Z/3'")
-      .value_name("GROUP");
-  table.add("--cusps", o->cusps, "only with this number of cusps").in_range(0, 1000);
-  table.add("--count", o->count, "print no more than their number");
-  return [o](const Context&) {
-    const Wanted wanted{genera_in(o->boundary), range_in(o->volume), without_blanks(o->homology), o->cusps};
-    Result result;
-    result.json = {{"tetrahedra", o->tetrahedra}, {"count", 0}};
-    if (!o->count) result.json["manifolds"] = Json::array();
-    long long count = 0;
-    std::vector<std::pair<std::string, std::string>> rows;
-    for (const Manifold& m : catalogue::require_table(o->tetrahedra)) {
-      if (!wanted.fits(m)) continue;
-      ++count;
-      if (o->count) continue;
-      result.json["manifolds"].push_back(manifold_json(m));
-      rows.emplace_back(m.name, shortened(m.volume) + "  " + m.boundary_text() + "  " + m.homology + "  " +
-                                    m.signature);
-    }
-    result.json["count"] = count;
-    result.text = o->count ? std::to_string(count) + "\n" : block(rows);
-    return result;
-  };
-}
-
-Run declare_census_show(OptionTable& table) {
-  const auto name = std::make_shared<std::string>();
-  table.add("NAME", *name, "a census name, such as fmp3_17").required();
-  return [name](const Context&) {
-    const auto found = catalogue::find_by_name(*name);
-    if (!found) throw InputError("no census manifold is called " + in_quotes(*name));
-    const Manifold& m = *found;
-    Result result;
-    result.json = manifold_json(m);
-    std::vector<std::pair<std::string, std::string>> rows{
-        {"name", m.name},
-        {"tetrahedra", std::to_string(m.tetrahedra)},
-        {"signature", m.signature},
-        {"volume", m.volume},
-        {"boundary", m.boundary_text()},
-        {"edge classes", std::to_string(m.edges)},
-        {"homology", m.homology},
-        {"canonical cells", joined(m.cells, ", ")},
-        {"isometry signature", m.canonical_signature},
-        {"isometry group", "order " + std::to_string(m.symmetries)}};
-    for (std::size_t t = 0; t < m.dihedral_angles.size(); ++t)
-      for (int e = 0; e < 6; ++e)
-        rows.emplace_back(e == 0 ? "angles " + std::to_string(t) : "", m.dihedral_angles[t][e]);
-    result.text = block(rows);
-    result.value = std::make_shared<Value>(format::document_of(from_signature(m.signature), m.name));
-    return result;
-  };
 }
 
 } // namespace tetrarch::program

@@ -75,6 +75,8 @@ struct Context : Common {
   std::map<std::string, std::shared_ptr<Value>, std::less<>>* passing = nullptr;
   const std::vector<Command>* commands = nullptr; ///< the table that the command stands in
   std::string program;                            ///< what usage lines begin with; empty in a session
+  /// Prints a part of the text now, of results that are long; null where they are wanted whole.
+  std::function<void(const std::string&)> print;
   /// Whoever reads an input notes here what was passed over; it is printed with the result.
   std::shared_ptr<Reads> reads = std::make_shared<Reads>();
 };
@@ -129,6 +131,7 @@ Run declare_census_merge(OptionTable& table);
 Run declare_census_validate(OptionTable& table);
 Run declare_census_list(OptionTable& table);
 Run declare_census_show(OptionTable& table);
+Run declare_census_table(OptionTable& table);
 Run declare_census_identify(OptionTable& table);
 
 } // namespace tetrarch::program

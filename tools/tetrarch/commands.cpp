@@ -6,6 +6,8 @@
 #include "tetrarch/workshop/filling.hpp"
 #include "tetrarch/workshop/identify.hpp"
 #include "tetrarch/workshop/info.hpp"
+#include "tetrarch/workshop/pair.hpp"
+#include "tetrarch/workshop/pair.hpp"
 #include "tetrarch/workshop/structure.hpp"
 #include "tetrarch/workshop/verify.hpp"
 
@@ -62,7 +64,7 @@ const std::vector<Command>& commands() {
       {structures, "canonize", "canonical cells, isometry signature and isometry group", "canonize fmp3_1",
        declare_canonize, false, workshop::notes_of<workshop::Cells>},
       {structures, "isometric", "decide whether two manifolds are isometric", "isometric cPcbbbihq fmp2_1",
-       declare_isometric, false, workshop::notes_of<workshop::Isometry>},
+       declare_isometric, false, workshop::notes_with_pairs},
       {structures, "embed",
        "the fundamental domain and its copies in hyperbolic space, the holonomy, boundary tilings",
        "embed cPcbbbihq --copies 60 --model ball -o knotted_y.glb", declare_embed},
@@ -95,6 +97,8 @@ const std::vector<Command>& commands() {
       {tables, "census list", "list the manifolds of a stored table", "census list --tetrahedra 2",
        declare_census_list},
       {tables, "census show", "show the entry of one manifold", "census show fmp3_17", declare_census_show},
+      {tables, "census table", "put tables together in one SQLite file, which other programs can ask",
+       "census table samples/census.jsonl -o census.sqlite", declare_census_table},
       {tables, "census identify", "find the name of a manifold, whatever its triangulation",
        "census identify eLPkbdcddhgggb", declare_census_identify, false,
        workshop::notes_of<identify::Identification>},

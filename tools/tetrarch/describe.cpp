@@ -103,7 +103,7 @@ Result help(const Context& context, const std::vector<std::string>& words) {
   const std::vector<Command>& table = *context.commands;
   const Named found = named_command(table, words);
   if (found.words < words.size())
-    throw InputError("unknown command '" + found.name + " " + words[found.words] + "'");
+    throw InputError("unknown command '" + found.name + " " + words[found.words] + "'", Cause::option);
   Result result;
   result.text = found.command == nullptr ? overview(table, found.name, context.program)
                                          : help_page(*found.command, context.program);
@@ -122,7 +122,8 @@ Named named_command(const std::vector<Command>& table, const std::vector<std::st
     const std::vector<std::string> expected = next_words(table, name);
     name += word;
     if (std::find(expected.begin(), expected.end(), word) == expected.end())
-      throw InputError("unknown command '" + name + "'" + workshop::did_you_mean(word, expected));
+      throw InputError("unknown command '" + name + "'" + workshop::did_you_mean(word, expected),
+                       Cause::option);
     at.name = std::move(name);
     const auto found =
         std::find_if(table.begin(), table.end(), [&at](const Command& c) { return c.name == at.name; });

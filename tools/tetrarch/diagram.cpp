@@ -17,9 +17,10 @@
 namespace tetrarch::program {
 namespace {
 
-constexpr const char* code_help = "the name of a knot such as 4_1, a code such as 'braid 1 -2 1 -2', "
-                                  "'PD[X[1,4,2,5], ...]' or 'DT[4,6,2]', a "
-                                  "file of one, or a curve in space";
+constexpr const char* code_help =
+    "the name of a knot, link or graph such as 4_1, L6a4 or hk5_3, a code such as 'braid 1 -2 1 -2', "
+    "'PD[X[1,4,2,5], ...]' or 'DT[4,6,2]', a "
+    "file of one, or a curve in space";
 
 diagram::Diagram read_diagram(const std::string& argument, const Context& context) {
   context.reads->any = true;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "command.hpp"
+#include "edge_names.hpp"
 #include "info.hpp"
 #include "input.hpp"
 #include "output.hpp"
@@ -7,7 +8,6 @@
 
 #include "tetrarch/core/error.hpp"
 #include "tetrarch/core/skeleton.hpp"
-#include "tetrarch/format/text.hpp"
 #include "tetrarch/moves/drill.hpp"
 #include "tetrarch/moves/truncate.hpp"
 
@@ -22,41 +22,6 @@ struct Options {
   std::string output;
   bool cut = false;
 };
-
-/// "5": the class of this number; "3:01": that of the edge 01 of tetrahedron 3.
-EdgeId edge_named(const std::string& word, const Skeleton& skeleton) {
-  const std::string expected = " (expected the number of an edge, 0 to " +
-                               std::to_string(skeleton.edge_count() - 1) + ", or one of a tetrahedron: 3:01)";
-  const std::size_t colon = word.find(':');
-  if (colon == std::string::npos) {
-    const auto number = format::parse_integer(word);
-    if (!number || *number < 0 || *number >= skeleton.edge_count())
-      throw InputError("EDGES: found " + in_quotes(word) + expected);
-    return EdgeId(static_cast<int>(*number));
-  }
-  const auto tet = format::parse_integer(word.substr(0, colon));
-  const std::string ends = word.substr(colon + 1);
-  const bool good = tet && *tet >= 0 && *tet < skeleton.tetrahedron_count() && ends.size() == 2 &&
-                    ends[0] >= '0' && ends[0] <= '3' && ends[1] >= '0' && ends[1] <= '3' &&
-                    ends[0] != ends[1];
-  if (!good) throw InputError("EDGES: found " + in_quotes(word) + expected);
-  return skeleton.edge(TetEdge{static_cast<int>(*tet), edge_number[ends[0] - '0'][ends[1] - '0']});
-}
-
-/// Words are separated by commas or given one by one.
-Table<EdgeId, bool> edges_named(const std::vector<std::string>& words, const Skeleton& skeleton) {
-  Table<EdgeId, bool> chosen(skeleton.edge_count(), false);
-  for (const std::string& list : words)
-    for (std::size_t at = 0; at <= list.size();) {
-      const std::size_t comma = std::min(list.find(',', at), list.size());
-      const EdgeId e = edge_named(list.substr(at, comma - at), skeleton);
-      if (skeleton.is_reversed(e))
-        throw InputError("EDGES: edge " + std::to_string(e.value) + " is identified with itself backwards");
-      chosen[e] = true;
-      at = comma + 1;
-    }
-  return chosen;
-}
 
 Json meridians_json(const moves::CutOut& made) {
   Json list = Json::array();
@@ -73,7 +38,7 @@ Result drill(const Options& options, const Context& context) {
   const format::Document document = read_triangulation(options.input, context);
   require_manifolds(document.triangulation, options.input);
   const Skeleton skeleton(document.triangulation);
-  const Table<EdgeId, bool> edges = edges_named(options.edges, skeleton);
+  const Table<EdgeId, bool> edges = edges_named(options.edges, skeleton, "EDGES");
   Json drilled = Json::array();
   for (const EdgeId e : all<EdgeId>(skeleton.edge_count()))
     if (edges[e]) drilled.push_back(e.value);

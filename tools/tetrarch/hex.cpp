@@ -53,6 +53,8 @@ hex::FillOptions wanted(const Options& options, const product::Solid& solid, con
   result.hausdorff_tolerance = options.hausdorff_tolerance;
   const double edge =
       options.edge ? *options.edge : hex::edge_for(solid, options.cells.value_or(hex::usual_cells));
+  constexpr double bytes_of_gigabyte = 1e9;
+  result.most_bytes = bytes_of_gigabyte * allowed_gigabytes(context);
   require_memory(options.edge ? "--edge " + rounded(edge)
                               : "--cells " + std::to_string(options.cells.value_or(hex::usual_cells)),
                  hex::bytes_for_edge(solid, edge), allowed_gigabytes(context));

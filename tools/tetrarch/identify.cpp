@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include "census.hpp"
 #include "command.hpp"
 #include "input.hpp"
 #include "output.hpp"
@@ -29,8 +30,13 @@ Result identify(const IdentifyOptions& options, const Context& context) {
   identify::IdentifyOptions how;
   how.seed = context.seed;
   how.attempts = options.attempts;
-  if (!options.table.empty())
-    how.table = catalogue::read_table(format::read_file(located(options.table)), options.table);
+  if (!options.table.empty()) {
+    const std::string path = located(options.table);
+    if (catalogue::is_database(path))
+      how.database = std::make_shared<catalogue::Database>(path);
+    else
+      how.table = read_table_file(path);
+  }
   const format::Document document = read_triangulation(input, context);
   require_manifold(document.triangulation, input);
   const identify::Identification found = identify::identify(document.triangulation, how, context.progress);
@@ -108,7 +114,8 @@ Run declare_census_identify(OptionTable& table) {
       .with_default();
   table
       .add("--table", options->table,
-           "look it up in this table as well, which census enumerate -o or census merge -o wrote")
+           "look it up in this table as well, which census enumerate -o, census merge -o or census table "
+           "wrote")
       .value_name("FILE");
   return [options](const Context& context) { return identify(*options, context); };
 }

@@ -48,8 +48,9 @@ format::Document triangulation_of(const std::string& name, const Value& value, c
   return workshop::triangulation_of(name, value, doctor, context.progress);
 }
 
-format::Document read_triangulation(const std::string& argument, const Context& context,
-                                    const Doctor& doctor) {
+namespace {
+
+format::Document read_with_marks(const std::string& argument, const Context& context, const Doctor& doctor) {
   const std::string given = bared(argument);
   context.reads->any = true;
   if (const ValuePointer value = value_named(given, context))
@@ -59,12 +60,28 @@ format::Document read_triangulation(const std::string& argument, const Context& 
   return document;
 }
 
+} // namespace
+
+format::Document read_triangulation(const std::string& argument, const Context& context,
+                                    const Doctor& doctor) {
+  format::Document document = read_with_marks(argument, context, doctor);
+  context.reads->passed_over.note("order of an edge, of which the underlying manifold has none",
+                                  static_cast<std::int64_t>(document.marks.size()));
+  document.marks.clear();
+  return document;
+}
+
+format::Document read_marked_triangulation(const std::string& argument, const Context& context) {
+  return read_with_marks(argument, context, {});
+}
+
 format::Soup read_soup(const std::string& argument, const Context& context) {
   context.reads->any = true;
   if (auto soup = passing_soup(argument, context)) return *std::move(soup);
   if (const ValuePointer value = value_named(argument, context)) {
     if (const auto* mesh = std::get_if<format::MeshDocument>(value.get())) return mesh->soup;
-    throw InputError(argument + " is a " + kind_of(*value) + " (expected a mesh: it has no coordinates)");
+    throw InputError(argument + " is a " + kind_of(*value) + " (expected a mesh: it has no coordinates)",
+                     Cause::kind);
   }
   format::Soup soup = workshop::open_mesh(argument, opened_with({}));
   context.reads->passed_over.add(soup.passed_over);

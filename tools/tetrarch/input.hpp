@@ -26,6 +26,10 @@ namespace tetrarch::program {
 format::Document read_triangulation(const std::string& argument, const Context& context,
                                     const Doctor& doctor = {});
 
+/// The same with the marks of its edges. The function above notes them in `context.reads`: what it gives is
+/// the underlying manifold.
+format::Document read_marked_triangulation(const std::string& argument, const Context& context);
+
 /// The triangulation that a value is or becomes; `name` is what errors call it.
 format::Document triangulation_of(const std::string& name, const Value& value, const Context& context,
                                   const Doctor& doctor = {});

@@ -109,8 +109,9 @@ const char* code_of(Status status) {
 
 } // namespace
 
-Status complain_in_json(const Place& place, const std::string& message, Status status) {
-  const Json error{{"code", code_of(status)},
+Status complain_in_json(const Place& place, const std::string& message, Status status,
+                        std::string_view code) {
+  const Json error{{"code", code.empty() ? std::string_view(code_of(status)) : code},
                    {"file", place.source.empty() ? Json() : Json(place.source)},
                    {"line", place.line > 0 ? Json(place.line) : Json()},
                    {"message", message}};
@@ -121,11 +122,13 @@ Status complain_in_json(const Place& place, const std::string& message, Status s
 JobOutcome run_job(const Job& job, const Values* values, const std::string& speaker,
                    const Statement* statement, Share* share) {
   const Common& common = job.common;
-  const auto failed = [&](const std::string& message, Status status, const InputError* error = nullptr) {
+  const auto failed = [&](const std::string& message, Status status, std::string_view code = {},
+                          const InputError* error = nullptr) {
     if (common.json && statement != nullptr) tell_error(*statement, status, message);
-    if (common.json && statement == nullptr && share == nullptr) {
-      const Place place = error == nullptr ? Place() : error->place;
-      return JobOutcome{complain_in_json(place, error == nullptr ? message : error->message, status),
+    if (common.json && statement == nullptr) {
+      Place place = error == nullptr ? Place() : error->place;
+      if (place.source.empty() && share != nullptr) place.source = share->input;
+      return JobOutcome{complain_in_json(place, error == nullptr ? message : error->message, status, code),
                         nullptr};
     }
     const bool says_whose = share == nullptr || message.starts_with(share->input);
@@ -133,6 +136,7 @@ JobOutcome run_job(const Job& job, const Values* values, const std::string& spea
                       nullptr};
   };
   const ProgressBar bar(!common.quiet);
+  bool printed = false;
   const double most_memory = common.memory ? *common.memory : usual_memory();
   try {
     restore_reserves(); // an earlier job may have used them
@@ -141,6 +145,12 @@ JobOutcome run_job(const Job& job, const Values* values, const std::string& spea
     static_cast<Common&>(context) = common;
     context.progress = Progress(bar.report(), token_of_next_job());
     context.values = values;
+    if (!common.json && share == nullptr)
+      context.print = [&](const std::string& text) {
+        bar.clear();
+        say(printable(text, Lines::many));
+        printed = true;
+      };
     if (share != nullptr) context.reads->passed_over.add(share->passed_over);
     Result result = job.run(context);
     bar.clear();
@@ -150,22 +160,24 @@ JobOutcome run_job(const Job& job, const Values* values, const std::string& spea
     return {result.status, std::move(result.value)};
   } catch (const Stopped&) {
     bar.clear();
-    return take_leave() ? failed("interrupted; nothing was written", Status::interrupted)
+    return take_leave() ? failed(printed ? "interrupted; what was printed is not all"
+                                         : "interrupted; nothing was written",
+                                 Status::interrupted)
                         : JobOutcome{Status::interrupted, nullptr};
   } catch (const InputError& e) {
     bar.clear();
-    return failed(e.what(), Status::bad_input, &e);
+    return failed(e.what(), Status::bad_input, code_of(e.cause), &e);
   } catch (const numeric::MatrixTooLarge& e) {
     bar.clear();
-    return failed(e.what(), Status::bad_input);
+    return failed(e.what(), Status::bad_input, code_of(Cause::memory));
   } catch (const std::bad_alloc&) {
     bar.clear();
     return failed("out of memory: the job takes more than there is, or than the " + fixed(most_memory, 1) +
                       " GB allowed (--memory)",
-                  Status::bad_input);
+                  Status::bad_input, code_of(Cause::memory));
   } catch (const std::system_error& e) { // the file system is not what the job took it for
     bar.clear();
-    return failed(e.what(), Status::bad_input);
+    return failed(e.what(), Status::bad_input, code_of(Cause::file));
   } catch (const std::exception& e) {
     bar.clear();
     return failed(std::string("internal error, please report it: ") + e.what(), Status::fault);

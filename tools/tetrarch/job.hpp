@@ -17,8 +17,9 @@ namespace tetrarch::program {
 /// it are made of. Gives the status back.
 Status complain(const std::string& speaker, const std::string& message, Status status);
 /// The same for programs: one line { "error": { "code", "file", "line", "message" } } on standard error, null
-/// where there is no file or line.
-Status complain_in_json(const Place& place, const std::string& message, Status status);
+/// where there is no file or line. The code is the cause's, or where there is none, the status's name.
+Status complain_in_json(const Place& place, const std::string& message, Status status,
+                        std::string_view code = {});
 void warn(const std::string& speaker, const std::string& warning);
 
 /// The text on standard output. Throws InputError if it cannot be written there.

@@ -41,7 +41,7 @@ Status speak(const std::vector<std::string>& words) {
   try {
     return parse_and_run(words);
   } catch (const InputError& e) {
-    return asks_for_json(words) ? complain_in_json(e.place, e.message, Status::bad_input)
+    return asks_for_json(words) ? complain_in_json(e.place, e.message, Status::bad_input, code_of(e.cause))
                                 : complain(program_name, e.what(), Status::bad_input);
   }
 }

@@ -81,11 +81,15 @@ Status run_mapping(Mapping mapping, const std::vector<Command>& table, const std
   Share share{{}, {}, {}, std::move(mapping.collection.passed_over)};
   Status gravest = Status::done;
   std::vector<format::Element>& elements = mapping.collection.elements;
+  const bool in_json = std::find(mapping.words.begin(), mapping.words.end(), "--json") != mapping.words.end();
+  const auto refuse = [&](const std::string& input, const std::string& message) {
+    return in_json ? complain_in_json({input, 0}, message, Status::bad_input, code_of(Cause::content))
+                   : complain(speaker, input + ": " + message, Status::bad_input);
+  };
   if (elements.empty())
-    return complain(speaker,
-                    format::source_name(mapping.path) + ": found no triangulations of 3-manifolds" +
-                        (share.passed_over.empty() ? "" : "; " + share.passed_over.sentence()),
-                    Status::bad_input);
+    return refuse(format::source_name(mapping.path),
+                  "found no triangulations of 3-manifolds" +
+                      (share.passed_over.empty() ? "" : "; " + share.passed_over.sentence()));
   for (std::size_t k = 0; k < elements.size() && gravest != Status::interrupted; ++k) {
     const std::vector<std::string> words = words_for(mapping, k + 1);
     const std::string& input = words[mapping.at];
@@ -104,7 +108,7 @@ Status run_mapping(Mapping mapping, const std::vector<Command>& table, const std
       share.passed_over = {};
       named.erase(input);
     } else {
-      complain(speaker, input + ": " + elements[k].error, status);
+      refuse(input, elements[k].error);
     }
     if (gravity(status) > gravity(gravest)) gravest = status;
   }

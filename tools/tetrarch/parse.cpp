@@ -118,7 +118,8 @@ bool looks_like_option(const std::string& word) {
   const bool is_long = word[1] == '-';
   const std::string name = is_long ? word.substr(0, word.find('=')) : word.substr(0, 2);
   throw InputError("unknown option '" + name + "'" + (command.empty() ? "" : " of '" + command + "'") +
-                   workshop::did_you_mean(name, known));
+                       workshop::did_you_mean(name, known),
+                   Cause::option);
 }
 
 void require_known_options(const Named& command, const std::vector<std::string>& words,
@@ -180,7 +181,7 @@ Parsed parse(const std::vector<std::string>& words, const std::vector<Command>& 
     return {std::nullopt, line->app.help()};
   } catch (const CLI::ParseError& e) {
     const std::string message = e.what();
-    throw InputError(named.name + ": " + message.substr(0, message.find('\n')));
+    throw InputError(named.name + ": " + message.substr(0, message.find('\n')), Cause::option);
   }
   const auto run = [line, program, &table](Context context) {
     context.commands = &table;

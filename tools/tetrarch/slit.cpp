@@ -17,9 +17,12 @@
 #include "tetrarch/slit/ricci.hpp"
 #include "tetrarch/workshop/element.hpp"
 
+#include <array>
 #include <chrono>
+#include <cmath>
 #include <memory>
 #include <optional>
+#include <sstream>
 
 namespace tetrarch::program {
 namespace {
@@ -40,14 +43,21 @@ struct Options {
   std::string distance;
   bool mirror = false;
   bool unflip = false;
+  bool balance = false;
   bool allow_flips = false;
   bool intrinsic = false;
   int stage = -1;
   int basis = -1;
   int quads = 0;
+  double quad_edge = 0;
+  std::string corners;
   Doctor doctor;
 
-  bool is_circular() const { return domain == "circular"; }
+  bool has_quads() const { return quads > 0 || quad_edge > 0; }
+  bool is_rectangle() const { return domain == "rectangle"; }
+  bool is_free() const { return domain == "free"; }
+  /// Whether the map begins with round holes.
+  bool is_circular() const { return domain == "circular" || is_free(); }
   bool is_ricci() const { return method == "ricci"; }
 };
 
@@ -65,20 +75,28 @@ void check(const Options& options) {
   for (const std::string& path : options.outputs) {
     require_folder(path);
     const auto format = scene::scene_format_for_extension(path);
-    if (options.quads == 0 && is_json(path)) continue;
-    if (options.quads > 0 && (!format || format == scene::SceneFormat::vtu))
+    if (!options.has_quads() && is_json(path)) continue;
+    if (options.has_quads() && (!format || format == scene::SceneFormat::vtu))
       throw InputError({path, 0}, "quads are written as .obj, .glb or .ply");
     if (!format && !format::has_extension(path, ".svg") && !format::has_extension(path, ".html"))
       throw InputError({path, 0}, "this command writes no file with this extension (expected .json, .obj, "
                                   ".vtu, .svg, .glb, .ply or .html)");
   }
+  if (options.is_free() && options.balance)
+    throw InputError("--balance is for the other domains; --domain free is balanced as it is");
+  if (options.is_free() && options.stage >= 0) throw InputError("--stage needs --domain circular");
   if (!options.is_circular() && options.stage >= 0) throw InputError("--stage needs --domain circular");
   if (!options.is_circular() && options.is_ricci())
     throw InputError("--method ricci needs --domain circular");
   if (options.is_ricci() && options.stage >= 0) throw InputError("--stage needs --method harmonic");
   if (!options.is_circular() && !options.center.empty()) throw InputError("--center needs --domain circular");
-  if (options.is_circular() && options.quads > 0)
-    throw InputError("--quads needs a domain with slits, and --domain circular has none");
+  if (!options.corners.empty() && !options.is_rectangle())
+    throw InputError("--corners needs --domain rectangle");
+  if (options.is_rectangle() && (options.balance || options.unflip))
+    throw InputError("--domain rectangle takes neither --balance nor --unflip");
+  if (options.quads > 0 && options.quad_edge > 0) throw InputError("give --quads or --quad-edge, not both");
+  if ((options.is_circular() || options.is_rectangle()) && options.has_quads())
+    throw InputError("--quads needs a domain with slits, and --domain " + options.domain + " has none");
 }
 
 /// A map with everything that is told of it.
@@ -88,17 +106,39 @@ struct Made {
   show::Fields fields;
   Report report;
   std::optional<slit::QuadMesh> quads;
+  std::size_t flipped = 0;    ///< triangles
+  double quasi_conformal = 0; ///< the mean
   bool found = true;
 };
 
 /// Told, and kept for files.
 void add(Made& made, const slit::Distortion& distortion) {
   made.report.add(distortion_report(distortion));
+  made.flipped = distortion.flipped.size();
+  made.quasi_conformal = distortion.mean_quasi_conformal;
   made.fields.triangles = {{"quasi_conformal", distortion.quasi_conformal},
                            {"log_factor", distortion.log_factor}};
 }
 
-Made make_slits(const slit::OneForms& forms, slit::SlitMap map, const Options& options) {
+/// What was balanced, and how it was before.
+void add(Made& made, const slit::Balanced& balanced, const slit::Distortion& before) {
+  made.report.add(balanced_report(balanced, before));
+  made.found = made.found && balanced.settled;
+}
+
+/// How many quads around the ring have edges of this length in the mean.
+int around_for(const mesh::TriangleMesh& mesh, const slit::SlitMap& map, double edge) {
+  const double around = slit::quads_around(mesh, map, edge);
+  constexpr double fewest = 3;
+  constexpr double most = 1'000'000;
+  if (!(around > fewest - 0.5 && around < most))
+    throw InputError("--quad-edge " + rounded(edge) + ": this makes " + rounded(around) +
+                     " quads around the ring, and 3 to 1000000 are possible");
+  return static_cast<int>(std::lround(around));
+}
+
+Made make_slits(const slit::OneForms& forms, slit::SlitMap map, const Options& options,
+                const Progress& progress) {
   const SlitDomain domain = domain_named(options.domain);
   const bool on_ring = domain == SlitDomain::concentric;
   if (on_ring) in_file(options.input, [&] { slit::require_radii(map); });
@@ -112,35 +152,73 @@ Made make_slits(const slit::OneForms& forms, slit::SlitMap map, const Options& o
   const slit::Unflipped moved =
       on_ring ? slit::unflip_on_ring(forms, map, which) : slit::unflip_on_cylinder(forms, map, which);
   if (options.unflip || moved.moved > 0) made.report.add(unflipped_report(moved));
-  add(made, on_ring ? slit::distortion_on_ring(forms, map) : slit::distortion_on_cylinder(forms, map));
+  const slit::Softened softened =
+      on_ring ? slit::soften_ends_on_ring(forms, map) : slit::soften_ends_on_cylinder(forms, map);
+  if (softened.moved > 0) made.report.add(softened_report(softened));
+  const auto distortion = [&] {
+    return on_ring ? slit::distortion_on_ring(forms, map) : slit::distortion_on_cylinder(forms, map);
+  };
+  if (options.balance) {
+    const slit::Distortion before = distortion();
+    add(made,
+        on_ring ? slit::balance_on_ring(forms, map, progress)
+                : slit::balance_on_cylinder(forms, map, progress),
+        before);
+  }
+  add(made, distortion());
   made.report.add(residuals_report(residuals));
   made.fields.vertices = {{"log_radius", map.log_radius}, {"angle", map.angle}};
   for (int k = 0; k < forms.loop_count(); ++k)
     made.fields.vertices.push_back({"potential_" + std::to_string(k), forms.potential(k)});
   made.layout = show::layout(forms, map, domain);
-  if (options.quads > 0) {
-    made.quads = slit::quads(forms, map, options.quads);
+  if (options.has_quads()) {
+    const int around = options.quads > 0 ? options.quads : around_for(forms.mesh(), map, options.quad_edge);
+    made.quads = slit::quads(forms, map, around);
     made.report.add(quads_report(*made.quads));
   }
   return made;
 }
 
-Made make_circles(mesh::TriangleMesh mesh, slit::CircularMap map, const Options& options) {
+/// The domain's shape is that of least distortion.
+void make_free(Made& made, const slit::CircularMap& map, const Progress& progress) {
+  const slit::Distortion before = slit::distortion_in_plane(made.mesh, map.position);
+  const slit::FreeMap free = slit::free_map(made.mesh, map.position, progress);
+  add(made, free.balanced, before);
+  add(made, slit::distortion_in_plane(made.mesh, free.position));
+  made.report.json["crossings"] = free.crossings;
+  if (free.crossings > 0) {
+    made.report.warnings.push_back("the domain overlaps itself: " + counted(free.crossings, "pair") +
+                                   " of its boundary edges cross");
+    made.found = false;
+  }
+  made.layout = show::plane_layout(made.mesh, free.position, "free domain");
+}
+
+Made make_circles(mesh::TriangleMesh mesh, slit::CircularMap map, const Options& options,
+                  const Progress& progress) {
   Made made;
   made.mesh = std::move(mesh);
-  made.report = circles_report(map);
+  if (!options.is_free()) made.report = circles_report(map);
   made.found = map.domain.found;
   if (!made.found)
     made.report.warnings.emplace_back("the budget of rounds ended before the circles became round");
   const slit::Unflip which = options.unflip ? slit::Unflip::everywhere : slit::Unflip::at_slits;
   const slit::Unflipped moved = slit::unflip_in_disk(made.mesh, map, which);
   if (options.unflip || moved.moved > 0) made.report.add(unflipped_report(moved));
+  if (options.is_free()) {
+    make_free(made, map, progress);
+    return made;
+  }
+  if (options.balance) {
+    const slit::Distortion before = slit::distortion_in_disk(made.mesh, map);
+    add(made, slit::balance_in_disk(made.mesh, map, progress), before);
+  }
   add(made, slit::distortion_in_disk(made.mesh, map));
   made.layout = show::disk_layout(made.mesh, map.position);
   return made;
 }
 
-Made make_disk(const mesh::OpenedMesh& surface, const Options& options) {
+Made make_disk(const mesh::OpenedMesh& surface, const Options& options, const Progress& progress) {
   const int center = options.center.empty() ? slit::innermost_vertex(surface.mesh)
                                             : vertex_named(options.center, "--center", surface);
   if (center < 0)
@@ -150,7 +228,7 @@ Made make_disk(const mesh::OpenedMesh& surface, const Options& options) {
     return options.is_ricci() ? slit::ricci_circles(surface.mesh, 0, -1).map
                               : slit::disk_map(surface.mesh, center);
   });
-  Made made = make_circles(surface.mesh, std::move(map), options);
+  Made made = make_circles(surface.mesh, std::move(map), options, progress);
   made.report.json["center"] = surface.number[center];
   return made;
 }
@@ -175,9 +253,46 @@ slit::LoopPair chosen(const mesh::OpenedMesh& surface, const std::vector<mesh::B
           loop_named(options.inner.empty() ? "1" : options.inner, "--inner", surface, loops)};
 }
 
-Made make(const mesh::OpenedMesh& surface, const std::vector<mesh::BoundaryLoop>& loops,
-          const Options& options, const Progress& progress) {
-  if (loops.size() == 1) return make_disk(surface, options);
+Made make_rectangle(const mesh::OpenedMesh& surface, const std::vector<mesh::BoundaryLoop>& loops,
+                    const Options& options, const Progress& progress) {
+  const mesh::TriangleMesh& mesh = surface.mesh;
+  std::array<int, 4> corners{};
+  int outer = loop_named(options.outer.empty() ? "0" : options.outer, "--outer", surface, loops);
+  if (options.corners.empty()) {
+    corners = in_file(options.input, [&] { return slit::corners_of(mesh, loops[outer]); });
+  } else {
+    std::vector<std::string> words;
+    std::istringstream list(options.corners);
+    for (std::string word; std::getline(list, word, ',');) words.push_back(word);
+    if (words.size() != corners.size())
+      throw InputError("--corners " + in_quotes(options.corners) + ": expected four vertices");
+    for (std::size_t c = 0; c < corners.size(); ++c)
+      corners[c] = vertex_named(words[c].starts_with('v') ? words[c] : "v" + words[c], "--corners", surface);
+    if (const int loop = mesh::loop_through(loops, mesh.surface, corners[0]); loop >= 0) outer = loop;
+  }
+  const slit::RicciRectangles found = in_file(options.input, [&] {
+    return slit::ricci_rectangles(mesh, slit::rectangle_hints(mesh, corners, {}, progress), {}, progress);
+  });
+  Made made;
+  made.mesh = mesh;
+  made.found = found.found;
+  std::vector<int> order{outer};
+  for (int k = 0; k < static_cast<int>(loops.size()); ++k)
+    if (k != outer) order.push_back(k);
+  made.report = rectangle_report(found, surface, loops, order);
+  if (!made.found)
+    made.report.warnings.emplace_back(
+        "the rectangle was not found: holes do not close, or triangles beside short "
+        "loops break down (a finer mesh or other --corners may help)");
+  add(made, slit::distortion_in_plane(mesh, found.position));
+  made.layout = show::plane_layout(mesh, found.position, "rectangular domain");
+  return made;
+}
+
+Made make_once(const mesh::OpenedMesh& surface, const std::vector<mesh::BoundaryLoop>& loops,
+               const Options& options, const Progress& progress) {
+  if (options.is_rectangle()) return make_rectangle(surface, loops, options, progress);
+  if (loops.size() == 1) return make_disk(surface, options, progress);
   const slit::LoopPair circles = chosen(surface, loops, options);
   if (options.is_ricci()) {
     Made made = make_circles(
@@ -186,7 +301,7 @@ Made make(const mesh::OpenedMesh& surface, const std::vector<mesh::BoundaryLoop>
                 [&] {
                   return slit::ricci_circles(surface.mesh, circles.outer, circles.inner, {}, progress).map;
                 }),
-        options);
+        options, progress);
     made.report.json["outer"] = circles.outer;
     made.report.json["inner"] = circles.inner;
     return made;
@@ -200,19 +315,49 @@ Made make(const mesh::OpenedMesh& surface, const std::vector<mesh::BoundaryLoop>
     throw InputError("--basis " + std::to_string(options.basis) + ": the last loop is " +
                      std::to_string(forms.loop_count() - 1));
   if (options.basis >= 0) {
-    Made made = make_slits(forms, std::move(map), options);
+    Made made = make_slits(forms, std::move(map), options, progress);
     made.layout = show::basis_layout(forms, options.basis);
     return made;
   }
-  if (!options.is_circular()) return make_slits(forms, std::move(map), options);
+  if (!options.is_circular()) return make_slits(forms, std::move(map), options, progress);
   const slit::CircularMap circular =
       in_file(options.input, [&] { return slit::circular_map(forms, map, {}, progress); });
-  Made made = make_circles(surface.mesh, circular, options);
+  Made made = make_circles(surface.mesh, circular, options, progress);
+  if (options.is_free()) return made;
   Report slits = map_report(map, true);
   slits.add(std::move(made.report));
   made.report = std::move(slits);
   if (options.stage >= 0) made.layout = stage_layout(forms, map, circular, options.stage);
   return made;
+}
+
+/// Obtuse triangles make harmonic maps turn some of them over. Either a few vertices are moved, or the map of
+/// the intrinsic Delaunay triangulation, which has no such triangles, is drawn with the mesh's own ones and
+/// vertices are moved then: whichever leaves fewer inverted, or else distorts less.
+Made make(const mesh::OpenedMesh& surface, const std::vector<mesh::BoundaryLoop>& loops,
+          const Options& options, const Progress& progress) {
+  Made best = make_once(surface, loops, options, progress);
+  const bool has_other_ways = loops.size() > 1 && !options.allow_flips && !options.is_ricci() &&
+                              !options.is_rectangle() && options.basis < 0 && options.stage < 0;
+  if (!has_other_ways || best.flipped == 0) return best;
+  const std::size_t flipped_at_first = best.flipped;
+  for (const bool intrinsic : {false, true}) {
+    if ((options.intrinsic && !intrinsic) || (options.unflip && options.intrinsic == intrinsic)) continue;
+    Options other = options;
+    other.unflip = true;
+    other.intrinsic = intrinsic;
+    Made made = make_once(surface, loops, other, progress);
+    if (made.flipped >= flipped_at_first ||
+        std::pair(made.flipped, made.quasi_conformal) >= std::pair(best.flipped, best.quasi_conformal))
+      continue;
+    made.report.json["mended"] = {{"flipped_before", flipped_at_first}, {"intrinsic", intrinsic}};
+    made.report.rows.emplace_back(
+        "mended", counted(static_cast<long long>(flipped_at_first), "triangle") + " would be inverted; " +
+                      (intrinsic ? "solved on the intrinsic Delaunay triangulation, then vertices moved"
+                                 : "vertices moved"));
+    best = std::move(made);
+  }
+  return best;
 }
 
 /// Spheres with two holes, or one where that will do.
@@ -226,7 +371,7 @@ std::string way_on(const SurfaceType& type) {
 
 void check_type(const mesh::Surface& surface, const Options& options) {
   const SurfaceType type = mesh::type_of(surface);
-  const int least = options.is_circular() && !options.fingerprint ? 1 : 2;
+  const int least = (options.is_circular() || options.is_rectangle()) && !options.fingerprint ? 1 : 2;
   if (type.orientable && type.euler + type.boundary_curves == 2 && type.boundary_curves >= least) return;
   throw InputError({options.input, 0},
                    std::string("slit maps need a sphere with ") + (least == 1 ? "a hole" : "two holes") +
@@ -378,7 +523,7 @@ Result run_slit(const Options& options, const Context& context) {
   result.text = block(report.rows);
   result.json = std::move(report.json);
   result.warnings = std::move(report.warnings);
-  const bool folds = result.json["flipped"].integer() > 0 && !options.allow_flips;
+  const bool folds = made.flipped > 0 && !options.allow_flips;
   if (!made.found || folds) result.status = Status::undecided;
   for (const std::string& path : options.outputs) result.files.push_back({path, file(path, made, options)});
   if (context.values != nullptr) result.value = std::make_shared<Value>(document(made, options));
@@ -392,9 +537,11 @@ Run declare_slit(OptionTable& table) {
   table.add("SURFACE", o->input, "a sphere with holes: OBJ, OFF, PLY or STL").required();
   table
       .add("--domain", o->domain,
-           "the domain: a cylinder with slits, its unrolling to a rectangle, a ring with slits, or a disk "
-           "with round holes")
-      .one_of({"cylindric", "parallel", "concentric", "circular"})
+           "the domain: a cylinder with slits, its unrolling to a rectangle, a ring with slits, a disk with "
+           "round holes, a rectangle with rectangular holes, or a flat shape of least distortion in the unit "
+           "of "
+           "the surface")
+      .one_of({"cylindric", "parallel", "concentric", "circular", "rectangle", "free"})
       .with_default();
   table
       .add("--outer", o->outer,
@@ -434,6 +581,9 @@ Run declare_slit(OptionTable& table) {
   table.add("--mirror", o->mirror,
             "let --distance compare with the mirror image of the other surface as well");
   table.add("--unflip", o->unflip, "move vertices near inverted triangles until no triangle is inverted");
+  table.add("--balance", o->balance,
+            "distort areas less at the cost of angles: move vertices, those of loops along their circles and "
+            "slits, until the symmetric Dirichlet energy is least");
   table.add("--allow-flips", o->allow_flips, "status 0 although triangles are inverted (without it: 4)");
   table.add("--intrinsic", o->intrinsic,
             "solve on the intrinsic Delaunay triangulation, which is better for obtuse triangles");
@@ -444,6 +594,16 @@ Run declare_slit(OptionTable& table) {
   table.add("--basis", o->basis, "write the one-form of this loop instead of the domain").not_negative();
   table.add("--quads", o->quads, "make quads, this many around the ring; written as .obj, .glb or .ply")
       .in_range(3, 1'000'000);
+  table
+      .add("--quad-edge", o->quad_edge,
+           "make quads with edges of about this length, in the unit of the surface")
+      .positive();
+  table
+      .add("--corners", o->corners,
+           "the four vertices of the outer loop that become the corners of --domain rectangle, such as "
+           "3,17,20,8 "
+           "(default: the sharpest, or quarters of its length)")
+      .value_name("LIST");
   table
       .add("-o,--output", o->outputs,
            "write the surface with the domain as texture coordinates (.json, .obj, .vtu), the domain (.svg; "

@@ -3,7 +3,9 @@
 
 #include "text.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <complex>
 
 namespace tetrarch::program {
 namespace {
@@ -104,24 +106,61 @@ Report unflipped_report(const slit::Unflipped& unflipped) {
   return report;
 }
 
+Report softened_report(const slit::Softened& softened) {
+  Report report;
+  report.json["slit_ends"] = {{"moved", softened.moved},
+                              {"max_quasiconformal_before", softened.before},
+                              {"max_quasiconformal", softened.after}};
+  report.rows.emplace_back("slit ends", counted(softened.moved, "vertex") +
+                                            " moved, greatest distortion there " + rounded(softened.before) +
+                                            " to " + rounded(softened.after));
+  return report;
+}
+
+Report balanced_report(const slit::Balanced& balanced, const slit::Distortion& before) {
+  Report report;
+  report.json["balanced"] = {{"energy_before", finite_or_null(balanced.before)},
+                             {"energy", finite_or_null(balanced.after)},
+                             {"steps", balanced.steps},
+                             {"settled", balanced.settled},
+                             {"left_out", balanced.left_out},
+                             {"mean_area_error_before", before.mean_area_error},
+                             {"max_area_error_before", before.max_area_error},
+                             {"mean_angle_error_before", before.mean_angle_error},
+                             {"mean_quasiconformal_before", before.mean_quasi_conformal}};
+  report.rows = {{"balanced", "energy " + rounded(balanced.before) + " to " + rounded(balanced.after) +
+                                  " in " + counted(balanced.steps, "step")},
+                 {"before", "area errors mean " + fixed(before.mean_area_error, 4) + ", greatest " +
+                                fixed(before.max_area_error, 4) + "; angle errors mean " +
+                                scientific(before.mean_angle_error, 1)}};
+  if (!balanced.settled)
+    report.warnings.emplace_back("the energy of the map still fell when its budget of steps ended, or areas "
+                                 "are too unequal for doubles; it may not be the least");
+  return report;
+}
+
 Report distortion_report(const slit::Distortion& d) {
   Report report;
   report.json = {{"max_angle_error", d.max_angle_error},
                  {"mean_angle_error", d.mean_angle_error},
                  {"max_quasiconformal", d.max_quasi_conformal},
                  {"mean_quasiconformal", d.mean_quasi_conformal},
+                 {"max_area_error", d.max_area_error},
+                 {"mean_area_error", d.mean_area_error},
                  {"flipped", d.flipped.size()},
                  {"ears", d.ears}};
   const auto flipped = static_cast<long long>(d.flipped.size());
-  report.rows = {{"angle errors", "mean " + scientific(d.mean_angle_error, 1) + ", greatest " +
-                                      scientific(d.max_angle_error, 1)},
-                 {"quasi-conformal", "mean " + fixed(d.mean_quasi_conformal, 4) + ", greatest " +
-                                         fixed(d.max_quasi_conformal, 4)},
-                 {"flipped", flipped == 0 ? "none" : triangles(flipped)}};
+  report.rows = {
+      {"angle errors",
+       "mean " + scientific(d.mean_angle_error, 1) + ", greatest " + scientific(d.max_angle_error, 1)},
+      {"quasi-conformal",
+       "mean " + fixed(d.mean_quasi_conformal, 4) + ", greatest " + fixed(d.max_quasi_conformal, 4)},
+      {"area errors", "mean " + fixed(d.mean_area_error, 4) + ", greatest " + fixed(d.max_area_error, 4)},
+      {"flipped", flipped == 0 ? "none" : triangles(flipped)}};
   if (flipped > 0)
     report.warnings.push_back(triangles(flipped) + (flipped == 1 ? " is" : " are") +
                               " inverted or flat, the first is " + std::to_string(d.flipped.front()) +
-                              " (counted from 0); --unflip moves vertices until no triangle is inverted");
+                              " (counted from 0)");
   if (d.ears > 0)
     report.warnings.push_back(triangles(d.ears) + (d.ears == 1 ? " has" : " have") +
                               " all corners on one loop, so the domain has no room for them");
@@ -138,12 +177,50 @@ Report residuals_report(const slit::Residuals& r) {
   return report;
 }
 
+Report rectangle_report(const slit::RicciRectangles& found, const mesh::OpenedMesh& surface,
+                        const std::vector<mesh::BoundaryLoop>& loops, const std::vector<int>& order) {
+  Report report;
+  Json corners = Json::array();
+  std::vector<std::string> names;
+  for (const slit::LoopCorner& c : found.corners.front()) {
+    corners.push_back(surface.number[c.vertex]);
+    names.push_back("v" + std::to_string(surface.number[c.vertex]));
+  }
+  report.rows = {{"outer loop", std::to_string(order.front()) + ", corners " + joined(names, ", ")},
+                 {"rectangle", "width 1, height " + fixed(found.height, 6)}};
+  Json holes = Json::array();
+  for (std::size_t k = 1; k < order.size(); ++k) {
+    double left = INFINITY;
+    double right = -INFINITY;
+    double bottom = INFINITY;
+    double top = -INFINITY;
+    for (const mesh::SideEnd e : loops[order[k]].sides) {
+      const std::complex<double> z = found.position[surface.mesh.surface.vertex(e)];
+      left = std::min(left, z.real());
+      right = std::max(right, z.real());
+      bottom = std::min(bottom, z.imag());
+      top = std::max(top, z.imag());
+    }
+    holes.push_back({{"loop", order[k]}, {"left", left}, {"right", right}, {"bottom", bottom}, {"top", top}});
+    report.rows.emplace_back(loop_name("hole", order[k]), "x " + fixed(left, 6) + " to " + fixed(right, 6) +
+                                                              ", y " + fixed(bottom, 6) + " to " +
+                                                              fixed(top, 6));
+  }
+  report.json = {{"outer", order.front()}, {"corners", corners},         {"height", found.height},
+                 {"holes", holes},         {"holonomy", found.holonomy}, {"residual", found.residual},
+                 {"rounds", found.rounds}, {"converged", found.found}};
+  report.rows.emplace_back("residuals", "holonomy " + scientific(found.holonomy, 1) + ", curvatures " +
+                                            scientific(found.residual, 1));
+  return report;
+}
+
 Report quads_report(const slit::QuadMesh& quads) {
   const slit::QuadQuality q = slit::quality(quads);
   Report report;
   report.json["quads"] = {{"count", quads.quads.size()},
                           {"vertices", quads.points.size()},
                           {"thinnest_line", quads.thinnest},
+                          {"mean_edge", q.mean_edge},
                           {"mean_angle_error", q.mean_angle_error},
                           {"max_angle_error", q.max_angle_error},
                           {"mean_warp", q.mean_warp},

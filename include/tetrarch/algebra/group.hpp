@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
-/// Finite presentations of groups, and the fundamental group of a triangulated manifold.
-///
-/// Letters are non-zero integers: generator g is the letter g+1, its inverse -(g+1). A word reads from left
-/// to right: first the first letter's loop, then the next one's.
+/// The fundamental group of a triangulated manifold, and how presentations become short.
 ///
 /// The presentation of pi_1 is read off the dual 2-skeleton. Stand in tetrahedron 0; a spanning tree of the
 /// dual graph leads to every other one. An interior face outside the tree is a generator: walk to its first
@@ -14,6 +11,7 @@
 /// Richardson and Robertson, "A Tietze transformation program" (1984), for the simplification.
 
 #include "tetrarch/algebra/abelian_group.hpp"
+#include "tetrarch/algebra/presentation.hpp"
 #include "tetrarch/core/progress.hpp"
 #include "tetrarch/core/skeleton.hpp"
 
@@ -21,27 +19,6 @@
 #include <vector>
 
 namespace tetrarch::algebra {
-
-using Word = std::vector<int>;
-
-/// Generators and relators; for the letters of a word see above.
-struct Presentation {
-  int generators = 0;
-  std::vector<Word> relators;
-
-  /// For instance "< a, b | abAB >", "< a | >", "< | >": up to 26 generators are called a to z and their
-  /// inverses A to Z. Of more, all are called g1, g2, ... and their inverses G1, G2, ....
-  std::string str() const;
-  friend bool operator==(const Presentation&, const Presentation&) = default;
-};
-
-/// The word in the letters that `Presentation::str` uses for so many generators.
-std::string word_str(const Word& word, int generators);
-
-/// Removes letters next to their inverses; `cyclically_reduced` also where the end meets the start.
-/// O(length).
-Word freely_reduced(const Word& word);
-Word cyclically_reduced(const Word& word);
 
 /// A presentation of the fundamental group, and where each generator and relator comes from.
 struct DualPresentation {

@@ -85,6 +85,8 @@ struct IsometryAnswer {
     homology,    ///< the first homology groups differ
     volume,      ///< certified volumes lie in disjoint intervals
     cells,       ///< the canonical decompositions differ, and both are proved
+    structure,   ///< one has a certified structure, the other is proved to have none
+    covers,      ///< the first homology groups of covers of some degree differ
   };
   Verdict verdict = Verdict::undecided;
   Proof proof = Proof::none;

@@ -36,6 +36,14 @@ struct CellDecomposition {
   /// Coned from the centres of cells and walls, whatever the diagonals were: isomorphic for equal
   /// decompositions.
   Triangulation coned;
+  /// Of each small tetrahedron, the wall's face that has its side, and the vertex of this face off the side.
+  /// Its corners 0 and 1 are the face's other two vertices in increasing order, 2 and 3 the centers of wall
+  /// and cell. Empty where the cells were not made of tetrahedra.
+  struct Origin {
+    TetFace wall;
+    int off = 0;
+  };
+  std::vector<Origin> origin;
 };
 
 /// The decomposition of a closed gluing of which the flat faces are known. O(n).

@@ -20,6 +20,7 @@
 #include "tetrarch/core/progress.hpp"
 
 #include <cstdint>
+#include <vector>
 
 namespace tetrarch::canonical {
 
@@ -40,6 +41,8 @@ struct Flips {
   End end = End::stuck;
   int moves = 0;
   int flat_tets = 0; ///< flat tetrahedra made on the way
+  /// The moves, each to be made by `moves::replace` on what the ones before have left.
+  std::vector<moves::Ball> path;
 };
 
 /// Mends concave faces until none is left. O(n) per move. Taking those first that stick out most gets stuck

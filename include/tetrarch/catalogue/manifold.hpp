@@ -46,6 +46,10 @@ std::string json_text(const Manifold& m);
 /// Reads it back. Throws InputError that says what is wrong.
 Manifold read_manifold(std::string_view text, int tetrahedra);
 
+/// What names of that many tetrahedra begin with: "fmp4_" up to four, which Frigerio, Martelli and Petronio
+/// counted, "tet5_" from five on. Then comes the place in the table, from 1.
+std::string name_prefix(int tetrahedra);
+
 /// The order of names: by volume, boundary, canonical signature. Volumes that agree to 25 digits are equal.
 void sort_by_volume(std::vector<Manifold>& manifolds);
 
@@ -60,6 +64,9 @@ std::vector<VolumeCount> count_volumes(const std::vector<Manifold>& sorted);
 std::vector<Manifold> without_angles(std::vector<Manifold> manifolds);
 /// A table as the text of census/fmpN.json, one manifold a line. `read_table(write_table(t)) == t`.
 std::string write_table(int tetrahedra, const std::vector<Manifold>& manifolds);
+/// The same for long tables, a line of JSON each without a name, which its place gives; a line before all
+/// says what it is. Angles are left out. `read_table` reads it, too.
+std::string write_table_lines(int tetrahedra, const std::vector<Manifold>& manifolds);
 /// Throws InputError that names `source` and what is wrong.
 std::vector<Manifold> read_table(std::string_view text, const std::string& source);
 
@@ -75,7 +82,8 @@ std::vector<int> stored_tables();
 int stored_count(int tetrahedra);
 /// All names of the compiled-in tables, in their order.
 std::vector<std::string> stored_names();
-/// Looks a name up in the compiled-in tables. Parses one line; a tenth of a millisecond.
+/// Looks a name up in the compiled-in tables, then in `installed_database()`. Parses one line; a tenth of a
+/// millisecond.
 std::optional<Manifold> find_by_name(std::string_view name);
 /// The same by the signature of the canonical triangulation.
 std::optional<Manifold> find_by_isometry_signature(std::string_view signature);

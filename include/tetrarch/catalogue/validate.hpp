@@ -11,6 +11,7 @@
 #include "tetrarch/core/progress.hpp"
 
 #include <functional>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -21,16 +22,32 @@ namespace tetrarch::catalogue {
 struct Tally {
   int gluings = 0;   ///< closed orientable gluings that qualify
   int geometric = 0; ///< of them, those that carry a structure
+  int elsewhere = 0; ///< of the others, those whose manifold has a structure on another triangulation
+  int none = 0;      ///< of the others, those that are proved not to be hyperbolic
   int stuck = 0;     ///< structures without a canonical decomposition within the budget
   int flat = 0;      ///< manifolds with cells other than tetrahedra
+  int certified = 0; ///< structures that are proved to exist, of those here and elsewhere
+  int proved = 0;    ///< canonical decompositions that are proved, of the same
+  double widest = 0; ///< of the intervals that hold the volumes
+  /// Of the manifolds, how many cells each argument proved: T (a tetrahedron), R, F, B
+  /// (canonical/certify.hpp).
+  std::map<char, int> arguments;
+};
+
+/// A gluing that is not settled, and what is known of it.
+struct Unsettled {
+  std::string signature;
+  std::string why;
 };
 
 struct Classification {
-  std::vector<Manifold>
-      manifolds; ///< sorted by volume; named where `tetrahedra` <= 4; none if units are missing
+  std::vector<Manifold> manifolds; ///< sorted by volume; named; none if units are missing
   Tally tally;
-  std::vector<std::string>
-      stuck;             ///< signatures of gluings with a structure that has no cells within the budget
+  std::vector<Unsettled> stuck;    ///< structures that have no cells within the budget
+  std::vector<Unsettled> unproved; ///< structures or cells that are computed and not proved
+  std::vector<Unsettled> open;     ///< no structure was found, and no proof that there is none
+  std::vector<std::pair<std::string, int>>
+      reasons;           ///< of the noes, with their numbers; the frequent ones first
   int missing_units = 0; ///< that others have to do
 };
 
@@ -51,14 +68,17 @@ struct WorkOptions {
   int threads = 1;
   UnitRecords records;
   std::optional<Share> share =
-      Share{}; ///< what is to be done here; nothing: units come from the records alone
+      Share{};        ///< what is to be done here; nothing: units come from the records alone
+  bool angles = true; ///< keep dihedral angles, which are nine tenths of all
 };
 
-/// All manifolds of this many tetrahedra and no fewer. One second for three on two cores, a few minutes for
-/// four. Deterministic for any number of threads. Throws PreconditionError unless tetrahedra >= 1.
+/// All manifolds of this many tetrahedra and no fewer. One second for three on two cores, half a minute for
+/// four. Every structure is certified and its cells are proved; gluings without one are looked at again, on
+/// other triangulations. What is not settled is listed. Deterministic for any number of threads. Throws
+/// PreconditionError unless tetrahedra >= 1.
 Classification classify_manifolds(int tetrahedra, int threads = 1, const Progress& progress = {});
-/// The same in units of 64 gluings, which may be kept, taken from earlier runs, and shared out. The result
-/// depends on none of that. A unit that was kept counts only if it is one of the very gluings.
+/// The same in units (enumeration::GluingUnits), which may be kept, taken from earlier runs, and shared out.
+/// The result depends on none of that. A unit that was kept counts only if it is one of the very gluings.
 Classification classify_manifolds(int tetrahedra, const WorkOptions& options, const Progress& progress = {});
 
 /// Published numbers of a table, as an outside witness.

@@ -24,14 +24,30 @@ struct Place {
   int line = 0;
 };
 
+/// What is wrong with the data, for programs to tell apart.
+enum class Cause {
+  value,   ///< an argument or a number that cannot be
+  option,  ///< an option that there is not, or its value
+  name,    ///< no file, no name of a manifold, no signature
+  kind,    ///< well-formed, but something else is expected: a group in place of a mesh
+  file,    ///< a file or folder that cannot be opened, read or written
+  content, ///< what stands in a file
+  memory,  ///< more memory than there is, or than is allowed
+};
+
+/// A stable word: "bad_value", "bad_option", "unknown_name", "wrong_kind", "bad_file", "bad_content",
+/// "no_memory".
+std::string_view code_of(Cause cause);
+
 /// Bad data from outside.
 struct InputError : std::runtime_error {
-  explicit InputError(const std::string& message);
+  explicit InputError(const std::string& message, Cause cause = Cause::value);
   /// `what` reads "source:line: message" (without ":line" where the line is 0).
-  InputError(const Place& place, const std::string& message);
+  InputError(const Place& place, const std::string& message, Cause cause = Cause::content);
 
   Place place;         ///< empty: the message names no place
   std::string message; ///< without the place
+  Cause cause;
 };
 
 /// A token as it may stand in an error message: quoted, control characters and what is no UTF-8 replaced by

@@ -17,8 +17,10 @@
 #include "tetrarch/core/progress.hpp"
 #include "tetrarch/core/triangulation.hpp"
 #include "tetrarch/diagram/diagram.hpp"
+#include "tetrarch/moves/monodromy.hpp"
 
 #include <cstdint>
+#include <optional>
 
 namespace tetrarch::diagram {
 
@@ -27,6 +29,7 @@ struct Sphere {
   Triangulation tri;
   std::vector<TetEdge> arcs;       ///< one for each arc that the diagram with its kinks has
   std::vector<TetVertex> vertices; ///< one for each vertex of valence 3 and more
+  int hand = 1; ///< of tetrahedron 0: +1 if it is right-handed in space, where the picture is seen from above
 };
 /// The diagram is made connected, and gets kinks where crushing wants them. O(darts) for one part.
 /// Throws PreconditionError for a diagram without arcs.
@@ -49,5 +52,18 @@ Triangulation doubled_exterior(const Diagram& diagram, const ExteriorOptions& op
 /// component of it is and no other is left). Near-linear: 50 microseconds a crossing.
 Triangulation exterior(const Diagram& diagram, const ExteriorOptions& options = {},
                        const Progress& progress = {});
+
+/// The exterior with as few tetrahedra as `exterior` has, and the homomorphism from the groups of its
+/// boundary to that of the graph (which is the handlebody's group, or that of a solid torus): its kernel is
+/// what the meridians generate. The exterior forgets the graph, this does not.
+struct PairExterior {
+  Triangulation tri;
+  moves::Monodromy monodromy;
+};
+/// Nothing where the words cannot be carried along the way that the simplification took (where a tree among
+/// the components needs to be coned), or grow beyond a million letters; another seed may help. As fast as
+/// `exterior`, three times.
+std::optional<PairExterior> pair_exterior(const Diagram& diagram, const ExteriorOptions& options = {},
+                                          const Progress& progress = {});
 
 } // namespace tetrarch::diagram

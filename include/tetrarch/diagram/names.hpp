@@ -1,11 +1,18 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
-/// Diagrams by name: "4_1" is the first knot of four crossings in Rolfsen's table, which ends with 10_165.
+/// Diagrams by name.
 ///
-/// Each is given as the closure of a braid, so that its diagram may have more crossings than the knot needs.
-/// The images are Rolfsen's, as the Knot Atlas has them: 3_1 is the left-handed trefoil. Source: Rolfsen,
-/// "Knots and Links" (1976), appendix C; Bar-Natan, Morrison and others, "The Knot Atlas" (katlas.org).
+///     4_1                  the first knot of four crossings in Rolfsen's table, which ends with 10_165
+///     L6a4, L9n28          links to nine crossings, by Thistlethwaite's names
+///     hk5_3                genus two handlebody-knots to six crossings: a graph whose neighborhood it is
+///     theta3_1             theta curves to six crossings
+///     handcuff4_1          handcuff graphs to six crossings
+///
+/// Sources of all but the knots stand with their codes (src/diagram/named_graphs.cpp). Each knot is given as
+/// the closure of a braid, so that its diagram may have more crossings than the knot needs. The images are
+/// Rolfsen's, as the Knot Atlas has them: 3_1 is the left-handed trefoil. Source: Rolfsen, "Knots and Links"
+/// (1976), appendix C; Bar-Natan, Morrison and others, "The Knot Atlas" (katlas.org).
 
 #include "tetrarch/diagram/diagram.hpp"
 
@@ -16,12 +23,16 @@
 
 namespace tetrarch::diagram {
 
-/// The knot; nothing if the table does not have the name. "0_1" is the unknot.
+/// The knot, link or graph; nothing if no table has the name. "0_1" is the unknot.
 std::optional<Diagram> named_diagram(std::string_view name);
 /// Its braid: k is generator k, -k the inverse.
 std::optional<std::vector<int>> rolfsen_braid(std::string_view name);
 
-/// All names, in the order of the table.
+/// The names of all knots, in the order of the table.
 std::vector<std::string> diagram_names();
+
+/// The same of links and graphs.
+std::optional<Diagram> tabulated_diagram(std::string_view name);
+std::vector<std::string> tabulated_names();
 
 } // namespace tetrarch::diagram

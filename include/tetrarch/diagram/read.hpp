@@ -9,6 +9,7 @@
 ///     [[1, 4, 2, 5], [3, 6, 4, 1], [5, 2, 6, 3]]                           the same as a list
 ///     braid 1 -2 1 -2     Braid[3, {1, -2, 1, -2}]     BR(3, [1, -2])      closures of braids
 ///     DT[4, 6, 2]         DT: [(6, 8), (2, 4)]         DT[cacbca]          Dowker and Thistlethwaite
+///     Conway[2 1 1 2]     Conway[3, 2 1, -2]                               rational and Montesinos links
 ///     Gauss[-1, 2, -3, 1, -2, 3]    O1-U2-O3-U1-O2-U3                      Gauss codes
 ///
 /// *Embedding format* (of Paolini's appcontour): each vertex lists its neighbors counterclockwise, or
@@ -21,6 +22,9 @@
 /// *Planar diagrams*: each arc has a number that occurs twice. X[i, j, k, l] lists the arcs of a crossing
 /// counterclockwise from the one by which the lower strand comes in, V[i, j, ...] those of a vertex, P[i, j]
 /// of a point on an arc; Loop[i] is a circle.
+///
+/// *Conway's notation*: "a b" is a reflected in the diagonal and b beside it; "a, b, c" sets tangles side by
+/// side, with "+" or "-" at the end for a crossing more. Polyhedra are not read.
 ///
 /// *Gauss and DT codes* do not say on which side a strand crosses: it is found by embedding a graph in the
 /// plane (Boyer and Myrvold), where the four arcs of a crossing are held in order by a wheel. A prime diagram
@@ -35,7 +39,7 @@
 namespace tetrarch::diagram {
 
 /// Whether the text begins like one of the codes above that has a word of its own ("embedding", "PD", "X[",
-/// "braid", "DT", "Gauss", "O1"), or like a list of lists of numbers. O(1).
+/// "braid", "DT", "Gauss", "Conway", "O1"), or like a list of lists of numbers. O(1).
 bool looks_like_diagram(std::string_view text);
 
 /// The diagram. Lines that begin with '#' are passed over. Throws InputError that names the line and what was

@@ -18,6 +18,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -62,10 +63,32 @@ inline constexpr int max_gluing_tetrahedra = 12;
 void enumerate_gluings(const GluingOptions& options, const std::function<void(const Triangulation&)>& visit,
                        const Progress& progress = {});
 
+/// The same as isomorphism signatures, in the same order: nothing is kept, however many there are.
+void enumerate_signatures(const GluingOptions& options, const std::function<void(const std::string&)>& visit,
+                          const Progress& progress = {});
+
 /// The isomorphism signatures of the same gluings, in ASCII order.
 std::vector<std::string> gluing_signatures(const GluingOptions& options, const Progress& progress = {});
 
 /// The number of these gluings. It builds none and is the quickest of the three functions.
 std::int64_t count_gluings(const GluingOptions& options, const Progress& progress = {});
+
+/// The same gluings in units that are found independently of each other, on whatever machine: those of a unit
+/// begin alike, tetrahedron by tetrahedron. The units depend on nothing but the options, threads excepted.
+class GluingUnits {
+public:
+  /// Finds the beginnings: a small part of the work. Throws as `enumerate_gluings` does.
+  explicit GluingUnits(const GluingOptions& options, const Progress& progress = {});
+  GluingUnits(GluingUnits&&) noexcept;
+  ~GluingUnits();
+
+  int size() const;
+  /// The signatures of unit k, in ASCII order. Any thread.
+  std::vector<std::string> signatures(int k, const Progress& progress = {}) const;
+
+private:
+  struct Plan;
+  std::unique_ptr<Plan> plan_;
+};
 
 } // namespace tetrarch::enumeration

@@ -6,6 +6,7 @@
 /// Every reader of this room returns a `Document` and every writer takes one, so that converting is reading
 /// and writing. Only the JSON format holds all of it; the others drop what they have no place for.
 
+#include "tetrarch/core/marks.hpp"
 #include "tetrarch/core/triangulation.hpp"
 #include "tetrarch/format/json_value.hpp"
 #include "tetrarch/format/ledger.hpp"
@@ -89,6 +90,7 @@ struct FiberCoordinates {
 struct Document {
   Triangulation triangulation = Triangulation();
   std::string name; ///< UTF-8; empty: none
+  Marks marks;      ///< of edges with a cone angle or a parabolic meridian, without fault
   std::optional<Metric> metric;
   std::optional<CanonicalCells> canonical;
   std::optional<FiberCoordinates> bundle;

@@ -12,6 +12,7 @@
 ///         [[1, "0132"], [1, "1230"], [1, "2310"], [1, "2103"]],             one tetrahedron a line
 ///         [[0, "0132"], [0, "3201"], [0, "3012"], [0, "2103"]]
 ///       ],
+///       "marks": [[0, "01", 3], [1, "23", 0]],                              optional
 ///       "metric": { "edge_lengths": [...], "dihedral_angles": [...], "volume": 2.02988321 },       optional
 ///       "canonical": { "cells": ["octahedron"], "cell_of": [...], "flat_faces": [...], ... },      optional
 ///       "bundle": { "fiber": 1, "euler_number": 2, "base_vertices": [...], ... },                  optional
@@ -21,8 +22,11 @@
 /// gluings[t][f] is null where face f of tetrahedron t is on the boundary, else the other tetrahedron and the
 /// images of the vertices 0, 1, 2, 3. Each gluing is stated from both sides, and the two must agree. A length
 /// or angle is a number, or a string of digits where a double would lose some; an infinite length is null.
-/// "canonical" and "bundle" are the structs of those names, member by member (document.hpp); of flat_faces
-/// the numbers of those that are flat are written. The schema is census/schema/triangulation.schema.json.
+/// A mark is a tetrahedron, one of its edges, and the order of the edge: 0 for a parabolic meridian, n for
+/// the cone angle 2 pi / n; a class of edges is named once, by any of its edges, or more often with one
+/// order. "canonical" and "bundle" are the structs of those names, member by member (document.hpp); of
+/// flat_faces the numbers of those that are flat are written. The schema is
+/// census/schema/triangulation.schema.json.
 ///
 /// Laws: `write_json(read_json(text)) == text` for every text that `write_json` gave; members this version
 /// does not know survive, in their places. Numbers of unknown members survive by value; one with more than 17

@@ -7,11 +7,16 @@
 ///      /       .  <-->    these distances is the Hausdorff distance, if the points are dense. One way alone
 ///     '---------'         misses what one of the two does not have at all.
 
-#include "tetrarch/hex/nearest.hpp"
+#include "tetrarch/core/progress.hpp"
 #include "tetrarch/product/hex_mesh.hpp"
 #include "tetrarch/product/solid.hpp"
 
+#include <array>
+#include <vector>
+
 namespace tetrarch::hex {
+
+using product::Point;
 
 struct Deviation {
   double from_hexahedra = 0; ///< the greatest distance of a point of theirs from the solid's surface
@@ -31,8 +36,9 @@ std::vector<std::array<Point, 3>> boundary_triangles(const product::Solid& solid
 
 /// Sampled: on each square of the hexahedra's surface 25 points, which cut it into 32 triangles; on each
 /// triangle of the solid points that are no farther apart than half a mean edge of the squares. O(n log n).
-Deviation deviation(const product::Solid& solid, const product::HexMesh& mesh);
+Deviation deviation(const product::Solid& solid, const product::HexMesh& mesh, const Progress& progress = {});
 /// The same for a solid's boundary.
-Deviation deviation(std::vector<std::array<Point, 3>> boundary, const product::HexMesh& mesh);
+Deviation deviation(std::vector<std::array<Point, 3>> boundary, const product::HexMesh& mesh,
+                    const Progress& progress = {});
 
 } // namespace tetrarch::hex

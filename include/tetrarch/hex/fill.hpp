@@ -20,6 +20,7 @@
 #include "tetrarch/product/solid.hpp"
 
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
 
@@ -31,6 +32,8 @@ struct FillOptions {
   double sharp = 40;                   ///< degrees between normals, from which an edge is kept as a ridge
   double volume_tolerance = 0.01;      ///< relative
   double hausdorff_tolerance = 0.01;   ///< in terms of the diagonal of the solid's box
+  /// No grid is made finer for which `bytes_for_edge` tells more.
+  double most_bytes = std::numeric_limits<double>::infinity();
 };
 
 /// What `FillOptions::cells` is where nobody said.
@@ -59,8 +62,8 @@ double edge_for(const product::Solid& solid, std::int64_t cells);
 /// Bytes that `fill` takes at most for edges of this length, roughly. In double, so that nothing overflows.
 double bytes_for_edge(const product::Solid& solid, double edge);
 
-/// Where the result is not good the grid is made finer, by a factor of 0.8 each time; of up to three results
-/// the best is kept. Nothing where none of seven grids has the solid's genus. Throws Stopped.
+/// Where the result is not good the grid is made finer, by a factor of 0.8 to 0.6 each time and 0.3 in all;
+/// the best result is kept. Nothing where no grid has the solid's genus. Throws Stopped.
 [[nodiscard]] std::optional<Filling> fill(const product::Solid& solid, const FillOptions& options = {},
                                           const Progress& progress = {});
 

@@ -27,13 +27,18 @@ struct FitOptions {
   bool ends_there = true; ///< points go to their homes at last
 };
 
+/// Points so far inside that they stay where the grid has them: more than six hexahedra from the surface. 1
+/// each. O(n).
+std::vector<char> deep_points(const product::HexMesh& mesh, const std::vector<Home>& home);
+
 /// Moves the points; `home` has one for each. O(n log n) a round.
 void fit(SizedHexahedra& hexahedra, const std::vector<Home>& home, const Targets& targets,
          const FitOptions& options = {}, const Progress& progress = {});
 
 /// Points of the surface go to their homes, or as far on the way as the hexahedra around them stay good;
 /// returns how many are not there. O(n log n).
-int land(product::HexMesh& mesh, const std::vector<Home>& home, const Targets& targets);
+int land(product::HexMesh& mesh, const std::vector<Home>& home, const Targets& targets,
+         const Progress& progress = {});
 
 /// The normal of the mesh's surface at each of its points, unit; zero inside. O(n log n).
 std::vector<Vector> surface_normals(const product::HexMesh& mesh);

@@ -10,6 +10,7 @@
 ///      |==|  |  |  |      patch of its own.
 ///      '--'--'--'--'
 
+#include "tetrarch/core/progress.hpp"
 #include "tetrarch/hex/layers.hpp"
 #include "tetrarch/hex/targets.hpp"
 
@@ -34,6 +35,6 @@ Match unmatched(const product::HexMesh& mesh);
 /// The mesh is to lie near the solid's surface already. Nothing where ridges find no way or patches do not
 /// come out. O(r n log n) for r ridges.
 [[nodiscard]] std::optional<Match> matched(const product::HexMesh& mesh, const product::Solid& solid,
-                                           const Targets& targets);
+                                           const Targets& targets, const Progress& progress = {});
 
 } // namespace tetrarch::hex

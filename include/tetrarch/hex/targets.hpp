@@ -4,11 +4,14 @@
 /// Where points of hexahedra belong on the surface of a solid.
 
 #include "tetrarch/hex/features.hpp"
-#include "tetrarch/hex/nearest.hpp"
+#include "tetrarch/numeric/nearest_triangle.hpp"
 
 #include <vector>
 
 namespace tetrarch::hex {
+
+using numeric::NearestTriangle;
+using numeric::Vector;
 
 /// Where a point of a mesh of hexahedra is to be.
 struct Home {

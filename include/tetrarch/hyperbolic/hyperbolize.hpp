@@ -33,7 +33,7 @@ enum class Outcome {
   low_valence,      ///< an edge of valence 1 or 2: its angles can never add up to 2 pi
   projective_plane, ///< a vertex link is a projective plane: no hyperbolic manifold has one
   finite_vertices,  ///< a vertex link is a sphere: F is not convex; remove such vertices first
-                    ///< (a closed manifold has no others: its structures are not offered yet)
+                    ///< (a closed manifold has no others: see orbifold.hpp)
   boundary_faces,   ///< the triangulation is not closed
   invalid,          ///< empty, or an edge is identified with itself reversed
   budget_exhausted, ///< `max_iterations` were not enough

@@ -15,10 +15,12 @@
 /// the first question about a manifold without a name is how the program looked for one.
 /// Source: Frigerio-Petronio 2004; Weeks 1993.
 
+#include "tetrarch/catalogue/database.hpp"
 #include "tetrarch/catalogue/manifold.hpp"
 #include "tetrarch/core/progress.hpp"
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -27,8 +29,9 @@ namespace tetrarch::identify {
 
 struct IdentifyOptions {
   std::uint64_t seed = 1;
-  int attempts = 1000;                      ///< triangulations on which a structure is sought
-  std::vector<catalogue::Manifold> table{}; ///< somebody's own, looked up after the stored ones
+  int attempts = 1000;                                   ///< triangulations on which a structure is sought
+  std::vector<catalogue::Manifold> table{};              ///< somebody's own, looked up after the stored ones
+  std::shared_ptr<const catalogue::Database> database{}; ///< the same as a file
 };
 
 /// The name of a manifold, its evidence, and all attempts.

@@ -4,6 +4,7 @@
 /// From names back to manifolds: what `identify` and `recognise` call a manifold, this makes.
 ///
 ///     fmp3_17                                             the tables' manifolds
+///     m125, s776, v2000, x101, y200                       the cusped census's
 ///     m004, 4_1, figure-eight knot complement (m004)      cusped manifolds of fame, by any of their names
 ///     S^3, RP^3, L(7,2), S^2 x S^1, S^2 x~ S^1, T^3       closed ones
 ///     B^3, solid torus, genus 3 handlebody, ...           handlebodies, with real boundary

@@ -50,6 +50,11 @@ Layout basis_layout(const slit::OneForms& forms, int loop);
 /// Vertices in the unit disk.
 Layout disk_layout(const mesh::TriangleMesh& mesh, const std::vector<std::complex<double>>& position);
 
+/// Vertices anywhere in the plane: the whole is moved to where both axes start at 0, and its texture fits the
+/// unit square.
+Layout plane_layout(const mesh::TriangleMesh& mesh, const std::vector<std::complex<double>>& position,
+                    const std::string& name);
+
 /// The domain as a surface in space, its loops as tubes: in the plane z = 0, or about the z axis.
 scene::Scene slit_domain(const mesh::TriangleMesh& mesh, const Layout& layout);
 

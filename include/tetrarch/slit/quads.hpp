@@ -41,6 +41,9 @@ struct QuadMesh {
 /// crossing point in the bounding box of every triangle.
 QuadMesh quads(const OneForms& forms, const SlitMap& map, int around);
 
+/// The number around for which quads have as much area in the mean as squares with this edge. O(n).
+double quads_around(const mesh::TriangleMesh& mesh, const SlitMap& map, double edge);
+
 enum class Line : std::uint8_t { horizontal, vertical, boundary };
 struct QuadEdge {
   int from = 0;
@@ -55,6 +58,7 @@ struct QuadQuality {
   double max_angle_error = 0;
   double mean_warp = 0; ///< distance between the diagonals over their mean length; 0 for flat quads
   double max_warp = 0;
+  double mean_edge = 0; ///< over the sides of quads
   double min_edge = 0;
   double max_edge = 0;
 };

@@ -27,6 +27,10 @@ struct Distortion {
   double max_quasi_conformal = 0;
   double mean_angle_error = 0; ///< over all corners, in radians
   double max_angle_error = 0;
+  /// Of the log of area on the map over area in space, the distance from what it is for the whole, by area:
+  /// 0 where all areas keep their share.
+  double mean_area_error = 0;
+  double max_area_error = 0;
   std::vector<int> flipped; ///< triangles turned over or flattened, ears apart
   int ears = 0;
 };

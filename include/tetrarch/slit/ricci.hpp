@@ -139,4 +139,17 @@ struct RectangleOptions {
                                                const RectangleOptions& options = {},
                                                const Progress& progress = {});
 
+/// Four vertices of a loop to be the corners: the sharpest, if four of them turn by an eighth of a turn at
+/// least and no two are neighbors, else those that part its length into quarters. In their order along the
+/// loop. Throws InputError if the loop has fewer than 8 edges. O(n).
+[[nodiscard]] std::array<int, 4> corners_of(const mesh::TriangleMesh& mesh, const mesh::BoundaryLoop& loop);
+
+/// Hints for all loops from the corners of the outer one: in the rectangle with round holes, the vertices of
+/// each hole that lie farthest along the diagonals. Throws InputError as `ricci_rectangles`, or if there is
+/// no such rectangle. One metric.
+[[nodiscard]] std::vector<std::array<int, 4>> rectangle_hints(const mesh::TriangleMesh& mesh,
+                                                              const std::array<int, 4>& outer,
+                                                              const RicciOptions& options = {},
+                                                              const Progress& progress = {});
+
 } // namespace tetrarch::slit

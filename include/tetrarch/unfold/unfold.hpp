@@ -14,9 +14,9 @@
 ///                                       finite energy and a way back.
 ///
 /// The energy is minimized by L-BFGS, again and again, while eps falls towards 0: a wall grows where det J is
-/// 0, behind those that have passed it. Corners of hexahedra are elements, too. No success is guaranteed,
-/// but the result never has more folded elements than the start. One thread, sums in the order of the
-/// elements: the same everywhere.
+/// 0, behind those that have passed it. Corners of hexahedra (`Brick`) are elements, too. No success is
+/// guaranteed, but the result never has more folded elements than the start. One thread, sums in the order of
+/// the elements: the same everywhere.
 ///
 /// Source: Garanzha, Kaporin, Kudryavtseva, Protais, Ray and Sokolov, "Foldover-free maps in 50 lines of
 /// code" (2021), sections 2 and 3. L-BFGS: Nocedal and Wright, "Numerical Optimization", chapter 7.
@@ -45,6 +45,17 @@ struct Element {
 /// PreconditionError unless they make a positive volume.
 Element element(const std::array<int, 4>& corner, const std::array<Vector, 3>& edges, double weight = 1);
 
+/// A hexahedron: its eight corners are elements, each with the three edges there. Quicker than the eight.
+struct Brick {
+  std::array<int, 8> corner{}; ///< 0 to 3 around the bottom, 4 to 7 above them
+  Vector inverse{};            ///< of the lengths it would like to have, from corner 0 to 1, 3 and 4
+  double weight = 1;           ///< of each corner's energy in the sum
+};
+
+/// The hexahedron that would like to be a box with these edges from corner 0 to 1, 3 and 4. Throws
+/// PreconditionError unless all are positive.
+Brick brick(const std::array<int, 8>& corner, const std::array<double, 3>& lengths, double weight = 1);
+
 /// Where a point may go.
 struct Freedom {
   enum class Kind : std::uint8_t { free, plane, line, fixed } kind = Kind::free;
@@ -67,9 +78,10 @@ struct Pull {
 };
 
 struct Problem {
-  std::vector<Element> elements;
-  std::vector<Freedom> freedom; ///< of each point
-  std::vector<Pull> pulls;
+  std::vector<Element> elements{};
+  std::vector<Brick> bricks{};
+  std::vector<Freedom> freedom{}; ///< of each point
+  std::vector<Pull> pulls{};
 };
 
 struct Options {
@@ -87,8 +99,14 @@ struct Options {
 double energy(const std::vector<Element>& elements, const std::vector<Point>& points, double theta,
               double epsilon, std::vector<Vector>* gradient = nullptr);
 
+/// The same of bricks, which is added to the gradient. O(bricks).
+double add_energy(const std::vector<Brick>& bricks, const std::vector<Point>& points, double theta,
+                  double epsilon, std::vector<Vector>& gradient);
+
 /// det J of each element: 1 for those of the wanted volume, 0 or less for those that are folded.
 std::vector<double> determinants(const std::vector<Element>& elements, const std::vector<Point>& points);
+/// The same of the eight corners of each brick.
+std::vector<double> determinants(const std::vector<Brick>& bricks, const std::vector<Point>& points);
 
 struct Unfolded {
   std::vector<Point> points; ///< the best

@@ -53,6 +53,7 @@ struct Certification {
 struct CertifyOptions {
   int bits = 53;
   int most_bits = 212;
+  bool volume = true; ///< enclose the volume, which takes most of the time; else it is 0
 };
 
 /// Starts from a geometric structure that was found for this triangulation. Throws PreconditionError if it is

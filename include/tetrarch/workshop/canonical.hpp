@@ -7,6 +7,7 @@
 #include "tetrarch/canonical/canonize.hpp"
 #include "tetrarch/core/progress.hpp"
 #include "tetrarch/hyperbolic/search.hpp"
+#include "tetrarch/reasons/reason.hpp"
 #include "tetrarch/workshop/fields.hpp"
 #include "tetrarch/workshop/verdict.hpp"
 
@@ -35,9 +36,10 @@ struct Cells {
   double volume = 0;
   int filled_spheres = 0; ///< boundary spheres that were filled with balls: the cells are of that manifold
   std::size_t isometry_group_order = 0;
-  std::string isometry_group;          ///< its name; empty: it has none of those known
-  std::optional<bool> amphichiral;     ///< an isometry reverses orientation; nothing: there is none
-  std::vector<Isomorphism> isometries; ///< of the canonical triangulation, if they were asked for
+  std::string isometry_group;           ///< its name; empty: it has none of those known
+  std::optional<bool> amphichiral;      ///< an isometry reverses orientation; nothing: there is none
+  std::vector<Isomorphism> isometries;  ///< of the canonical triangulation, if they were asked for
+  std::optional<reasons::Reason> why{}; ///< the manifold is proved not to be hyperbolic
 
   Verdict verdict() const;
 };
@@ -60,18 +62,24 @@ struct Compared {
 /// Whether two manifolds are isometric, with the isometry or the reason.
 struct Isometry {
   canonical::IsometryAnswer answer;
-  const char* between = "canonical triangulations"; ///< or "triangulations given": what the map goes between
-  std::string from;                                 ///< signature of the first of these
-  int filled_spheres = 0;                           ///< in each manifold
-  std::string x, y;                                 ///< the names
+  const char* between =
+      "canonical triangulations"; ///< or "triangulations given", "simplified triangulations"
+  std::string from;               ///< signature of the first of these
+  int filled_spheres = 0;         ///< in each manifold
+  std::string x, y;               ///< the names
 
   Verdict verdict() const;
 };
 
 /// Both as for `cells`. Boundaries (spheres count) and first homology are compared first, then the
-/// triangulations themselves, then certified volumes, then canonical cells.
+/// triangulations themselves, then certified volumes, then canonical cells, then the homology of covers.
+/// Where only one carries a structure, a reason why the other has none decides.
 Isometry isometry(const Compared& x, const Compared& y, const CanonicalOptions& options = {},
                   const Progress& progress = {});
+
+/// A proved no of the boundaries or of first homology; nothing where these agree.
+std::optional<canonical::IsometryAnswer> differ_without_structure(const Triangulation& x,
+                                                                  const Triangulation& y);
 
 /// Some lines for people.
 std::string text_of(const Isometry& found);

@@ -34,6 +34,9 @@ struct DiagramFacts {
 DiagramFacts facts(const diagram::Diagram& diagram);
 Rows rows_of(const DiagramFacts& facts);
 
+/// Components of the graph without cycles: a neighborhood of one is a ball.
+int tree_count(const diagram::Diagram& diagram);
+
 /// The exterior of a diagram.
 struct Exterior {
   Triangulation triangulation = Triangulation();

@@ -8,7 +8,9 @@
 
 #include "tetrarch/core/progress.hpp"
 #include "tetrarch/hyperbolic/cusp.hpp"
+#include "tetrarch/hyperbolic/orbifold_search.hpp"
 #include "tetrarch/hyperbolic/search.hpp"
+#include "tetrarch/reasons/reason.hpp"
 #include "tetrarch/verified/structure.hpp"
 #include "tetrarch/workshop/fields.hpp"
 #include "tetrarch/workshop/verdict.hpp"
@@ -31,6 +33,7 @@ struct StructureOptions {
   std::uint64_t seed = 1;
   bool certify = false; ///< prove that the structure exists, and enclose its volume
   int digits = 0;       ///< the same with so many digits of the volume; 0: as they come
+  Marks marks;          ///< edges with cone angles or parabolic meridians
 };
 
 /// A structure, or why there is none. It owns all that it speaks of.
@@ -41,15 +44,25 @@ struct Structure {
   std::optional<verified::Certification> certified; ///< if it was asked for
   std::string certificate;                          ///< the file that proves it; empty: there is none
   int digits = 0;                                   ///< of the volume that were asked for
+  /// With marked edges, or of a closed manifold: what `search` is filled from.
+  std::optional<hyperbolic::OrbifoldSearch> orbifold = {};
+  /// Why there is none, where that was found: the manifold is proved not to be hyperbolic.
+  std::optional<reasons::Reason> why{};
 
-  /// Yes, of one that was to be certified, only if it was.
+  /// Yes, of one that was to be certified, only if it was. Undecided where tetrahedra are turned over.
   Verdict verdict() const;
 };
 
 /// Throws PreconditionError unless `tri` is a connected manifold of at least one tetrahedron; Stopped if the
-/// progress says so. Milliseconds for ten tetrahedra, seconds for a hundred.
+/// progress says so, or for marks with a fault. Milliseconds for ten tetrahedra, seconds for a hundred. A
+/// closed manifold is sought by the homotopy of orbifold.hpp up to 150 tetrahedra.
 Structure structure(const Triangulation& tri, const StructureOptions& options = {},
                     const Progress& progress = {});
+
+/// Why the manifold of a triangulation on which no structure was found is not hyperbolic; nothing if no
+/// reason was found.
+std::optional<reasons::Reason> proved_no(const Triangulation& tri, std::uint64_t seed,
+                                         const Progress& progress = {});
 
 /// What is printed of it: the outcome; the volume, edges, cusps and angles, or the reason.
 Rows rows_of(const Structure& found);

@@ -346,7 +346,7 @@ Content content_from(const std::string& text) {
 py::tuple group_in(const Content& content) {
   if (const auto* const group = std::get_if<format::GroupDocument>(content.value.get()))
     return py::make_tuple(group->generators, group->relators);
-  throw InputError("this is a " + workshop::kind_of(*content.value) + " (expected a group)");
+  throw InputError("this is a " + workshop::kind_of(*content.value) + " (expected a group)", Cause::kind);
 }
 
 std::string content_name(const Content& content) {
@@ -374,12 +374,13 @@ Content content_of(Triangulation triangulation, std::string name) {
 
 const format::Document& document_in(const Content& content) {
   if (const auto* const document = std::get_if<format::Document>(content.value.get())) return *document;
-  throw InputError("this is a " + workshop::kind_of(*content.value) + " (expected a triangulation)");
+  throw InputError("this is a " + workshop::kind_of(*content.value) + " (expected a triangulation)",
+                   Cause::kind);
 }
 
 const format::MeshDocument& mesh_in(const Content& content) {
   if (const auto* const mesh = std::get_if<MeshDocument>(content.value.get())) return *mesh;
-  throw InputError("this is a " + workshop::kind_of(*content.value) + " (expected a mesh)");
+  throw InputError("this is a " + workshop::kind_of(*content.value) + " (expected a mesh)", Cause::kind);
 }
 
 std::shared_ptr<const Triangulation> triangulation_in(const Content& content) {

@@ -9,6 +9,7 @@
 #include "tetrarch/numeric/sparse_cholesky.hpp"
 
 #include <exception>
+#include <optional>
 #include <system_error>
 #include <utility>
 
@@ -24,13 +25,15 @@ void set_error_types(const py::object& input, const py::object& precondition) {
   precondition_error = py::object(precondition).release();
 }
 
-void raise(const py::handle& type, const std::string& message, const std::string& file = {}, int line = 0) {
+void raise(const py::handle& type, const std::string& message, std::optional<Cause> cause = {},
+           const std::string& file = {}, int line = 0) {
   constexpr std::size_t most = 1000; // a file's name may be longer than anybody reads
   const std::string line_of_text =
       printable(message.size() <= most ? message : message.substr(0, most) + " ...");
   const py::object error =
       type(line_of_text, file.empty() ? py::object(py::none()) : py::object(py::str(printable(file))),
            line > 0 ? py::object(py::int_(line)) : py::object(py::none()));
+  if (cause) error.attr("code") = py::str(std::string(code_of(*cause)));
   PyErr_SetObject(type.ptr(), error.ptr());
 }
 
@@ -38,13 +41,13 @@ void translate(std::exception_ptr thrown) {
   try {
     if (thrown) std::rethrow_exception(std::move(thrown));
   } catch (const InputError& e) {
-    raise(input_error, e.what(), e.place.source, e.place.line);
+    raise(input_error, e.what(), e.cause, e.place.source, e.place.line);
   } catch (const PreconditionError& e) {
     raise(precondition_error, e.what());
   } catch (const numeric::MatrixTooLarge& e) {
-    raise(input_error, e.what());
+    raise(input_error, e.what(), Cause::memory);
   } catch (const std::system_error& e) { // the file system is not what the call took it for
-    raise(input_error, e.what());
+    raise(input_error, e.what(), Cause::file);
   } catch (const Stopped& e) {
     PyErr_SetString(PyExc_KeyboardInterrupt, e.what());
   }

@@ -71,6 +71,7 @@ Solved structure(const Content& content, bool flow, bool as_given, int attempts,
   how.as_given = as_given;
   how.attempts = attempts;
   how.seed = seed;
+  how.marks = document_in(content).marks;
   if (!flow && tri->size() <= most_solved_at_once && attempts >= 1) {
     auto once = how;
     once.as_given = true;

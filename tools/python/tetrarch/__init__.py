@@ -20,27 +20,29 @@ from .commands import run
 from .errors import InputError, PreconditionError, TetrarchError
 from .groups import AbelianGroup, FundamentalGroup
 from .inputs import TetrarchWarning
+from .links import Link, SpatialGraph, curve_exterior
 from .manifold import (Cells, Cusp, FundamentalDomain, Holonomy, Isometry, Manifold, Structure, SymmetryGroup)
 from .meshes import DirectProduct, Field, Mesh, SlitMap, direct_product, slit_map
 from .results import Record, Result
 from .triangulation import Move, Skeleton, Triangulation, open_all
 
 __all__ = ["AbelianGroup", "Cells", "Census", "CensusManifold", "Cusp", "DirectProduct", "Field", "FundamentalDomain",
-           "FundamentalGroup", "Holonomy", "InputError", "Isometry", "Manifold", "Mesh", "Move", "PreconditionError", "Record",
-           "Result", "Skeleton", "SlitMap", "Structure", "SymmetryGroup", "TetrarchError", "TetrarchWarning", "Triangulation",
-           "census", "census_tables", "commands", "direct_product", "open_all", "run", "slit_map"]
+           "FundamentalGroup", "Holonomy", "InputError", "Isometry", "Link", "Manifold", "Mesh", "Move", "PreconditionError",
+           "Record", "Result", "Skeleton", "SlitMap", "SpatialGraph", "Structure", "SymmetryGroup", "TetrarchError",
+           "TetrarchWarning", "Triangulation", "census", "census_tables", "commands", "curve_exterior", "direct_product",
+           "open_all", "run", "slit_map"]
 
 if TYPE_CHECKING:  # otherwise they are made when they are first asked for
     # Made by make_stubs.
     from .commands import (bundle, canonize, census_enumerate, census_gluings, census_identify, census_list, census_merge,
-                           census_show, census_validate, check, convert, diagram, drill, embed, exterior, group, help, hex,
-                           hyperbolize, info, isometric, move, product, register, simplify, skeleton, slit, subdivide, truncate,
-                           verify, view)
+                           census_show, census_table, census_validate, check, convert, diagram, drill, embed, exterior, group,
+                           help, hex, hyperbolize, info, isometric, move, product, register, simplify, skeleton, slit,
+                           subdivide, truncate, verify, view)
 
     __all__ += ["bundle", "canonize", "census_enumerate", "census_gluings", "census_identify", "census_list", "census_merge",
-                "census_show", "census_validate", "check", "convert", "diagram", "drill", "embed", "exterior", "group", "help",
-                "hex", "hyperbolize", "info", "isometric", "move", "product", "register", "simplify", "skeleton", "slit",
-                "subdivide", "truncate", "verify", "view"]
+                "census_show", "census_table", "census_validate", "check", "convert", "diagram", "drill", "embed", "exterior",
+                "group", "help", "hex", "hyperbolize", "info", "isometric", "move", "product", "register", "simplify",
+                "skeleton", "slit", "subdivide", "truncate", "verify", "view"]
 
 
 def __getattr__(name: str) -> Any:

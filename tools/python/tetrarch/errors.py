@@ -15,10 +15,10 @@ class TetrarchError(ValueError):
     ...     tt.Manifold("m0004")
     ... except tt.InputError as error:
     ...     print(error.code, error.file, error.line)
-    bad_input None None
+    unknown_name None None
     """
 
-    #: "bad_input" or "precondition", stable words
+    #: the cause, a stable word: see InputError and PreconditionError
     code = "error"
 
     def __init__(self, message: str, file: Optional[str] = None, line: Optional[int] = None) -> None:
@@ -37,6 +37,9 @@ def shown(value: Any) -> str:
 
 class InputError(TetrarchError):
     """Bad data from outside: a file, an array, an option. It has `code`, `file` and `line`.
+
+    The code is one of "bad_value", "bad_option", "unknown_name", "wrong_kind" (a group where a mesh is expected), "bad_file" (that
+    cannot be opened, read or written), "bad_content" (of a file), "no_memory", or, of what Python itself refuses, "bad_input".
 
     >>> import tetrarch as tt
     >>> issubclass(tt.InputError, ValueError), tt.InputError.code

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "tetrarch/hex/nearest.hpp"
+#include "tetrarch/numeric/nearest_triangle.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,10 +8,8 @@
 #include <numeric>
 #include <utility>
 
-namespace tetrarch::hex {
+namespace tetrarch::numeric {
 namespace {
-
-using namespace numeric;
 
 constexpr int leaf_size = 4;
 
@@ -112,4 +110,4 @@ Foot NearestTriangle::nearest(const Point& p, const Vector* facing) const {
   return best.triangle < 0 && facing != nullptr ? nearest(p) : best;
 }
 
-} // namespace tetrarch::hex
+} // namespace tetrarch::numeric

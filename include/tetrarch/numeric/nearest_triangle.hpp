@@ -14,10 +14,7 @@
 #include <array>
 #include <vector>
 
-namespace tetrarch::hex {
-
-using numeric::Point;
-using numeric::Vector;
+namespace tetrarch::numeric {
 
 /// A nearest point.
 struct Foot {
@@ -59,4 +56,4 @@ private:
   std::vector<Box> boxes_;
 };
 
-} // namespace tetrarch::hex
+} // namespace tetrarch::numeric

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+namespace tetrarch::format {
+
+/// Compressed files may grow to this.
+inline constexpr std::size_t longest_unpacked = std::size_t{1} << 30U;
+
+/// `bytes` of a file as they are, or unpacked if they begin as those of xz do. Throws InputError that names
+/// `source` if they are damaged, end too early, or unpack to more than `limit` bytes. Linear.
+std::string unpacked(std::string bytes, const std::string& source, std::size_t limit = longest_unpacked);
+
+} // namespace tetrarch::format

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+/// What the commands of the census share.
+
+#include "json.hpp"
+#include "options.hpp"
+
+#include "tetrarch/catalogue/manifold.hpp"
+
+#include <string>
+
+namespace tetrarch::program {
+
+/// An entry as programs read it.
+Json manifold_json(const catalogue::Manifold& m);
+
+/// A stored volume rounded to twelve decimals.
+std::string shortened(const std::string& volume);
+
+/// `--tetrahedra N`.
+void add_tetrahedra(OptionTable& table, int& tetrahedra, bool required);
+
+/// The table in a file, packed by xz or not. Throws InputError.
+std::vector<catalogue::Manifold> read_table_file(const std::string& path);
+
+} // namespace tetrarch::program

@@ -1,0 +1,255 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "census.hpp"
+#include "command.hpp"
+#include "output.hpp"
+#include "samples.hpp"
+#include "text.hpp"
+
+#include "tetrarch/catalogue/database.hpp"
+#include "tetrarch/core/error.hpp"
+#include "tetrarch/core/signature.hpp"
+#include "tetrarch/enumeration/gluings.hpp"
+#include "tetrarch/format/compressed.hpp"
+#include "tetrarch/format/text.hpp"
+
+#include <algorithm>
+#include <functional>
+#include <limits>
+#include <memory>
+#include <optional>
+
+namespace tetrarch::program {
+
+using catalogue::Manifold;
+
+namespace {
+
+/// "3,2": genera, decreasing. Nothing for no text.
+std::optional<std::vector<int>> genera_in(const std::string& text) {
+  if (text.empty()) return std::nullopt;
+  constexpr int largest = 1000;
+  std::vector<int> genera;
+  for (std::size_t at = 0; at <= text.size();) {
+    const std::size_t comma = std::min(text.find(',', at), text.size());
+    const auto genus = format::parse_integer(std::string_view(text).substr(at, comma - at));
+    if (!genus || *genus < 2 || *genus > largest)
+      throw InputError("--boundary " + in_quotes(text) + ": expected genera from 2 on, such as 2 or 3,2");
+    genera.push_back(static_cast<int>(*genus));
+    at = comma + 1;
+  }
+  std::sort(genera.begin(), genera.end(), std::greater<>());
+  return genera;
+}
+
+/// "9..10": both ends included.
+std::pair<double, double> range_in(const std::string& text) {
+  constexpr double infinite = std::numeric_limits<double>::infinity();
+  if (text.empty()) return {-infinite, infinite};
+  const std::size_t dots = text.find("..");
+  const auto refuse = [&text] {
+    return InputError("--volume " + in_quotes(text) + ": expected a range such as 9..10");
+  };
+  if (dots == std::string::npos || text.size() == 2) throw refuse();
+  const auto end = [&](std::size_t from, std::size_t length, double otherwise) {
+    const std::string_view number = std::string_view(text).substr(from, length);
+    if (number.empty()) return otherwise;
+    const auto value = format::parse_double(number);
+    if (!value) throw refuse();
+    return *value;
+  };
+  return {end(0, dots, -infinite), end(dots + 2, std::string::npos, infinite)};
+}
+
+using Visitor = std::function<void(const Manifold&)>;
+
+/// Where manifolds are looked for: one's own file, the compiled-in tables, the installed file.
+class Source {
+public:
+  explicit Source(const std::string& path) {
+    if (path.empty()) return;
+    const std::string file = located(path);
+    if (catalogue::is_database(file))
+      own_file_.emplace(file);
+    else
+      own_table_ = read_table_file(file);
+  }
+
+  void visit(const catalogue::Wanted& wanted, const Visitor& visitor) const {
+    if (const catalogue::Database* file = file_for(wanted)) return file->visit(wanted, visitor);
+    for (const Manifold& m : own_table_ ? *own_table_ : catalogue::require_table(*wanted.tetrahedra))
+      if (wanted.fits(m)) visitor(m);
+  }
+
+  long long count(const catalogue::Wanted& wanted) const {
+    if (const catalogue::Database* file = file_for(wanted)) return file->count(wanted);
+    long long count = 0;
+    visit(wanted, [&count](const Manifold&) { ++count; });
+    return count;
+  }
+
+  std::optional<Manifold> find(const std::string& name) const {
+    if (own_file_) return own_file_->by_name(name);
+    if (!own_table_) return catalogue::find_by_name(name);
+    for (const Manifold& m : *own_table_)
+      if (m.name == name) return m;
+    return std::nullopt;
+  }
+
+private:
+  /// The file that holds what is wanted; null: a table does, or nothing.
+  const catalogue::Database* file_for(const catalogue::Wanted& wanted) const {
+    if (own_file_) return &*own_file_;
+    const catalogue::Database* installed = catalogue::installed_database();
+    const bool compiled_in = own_table_ || catalogue::stored_count(*wanted.tetrahedra) > 0;
+    if (compiled_in || installed == nullptr) return nullptr;
+    const std::vector<int> tables = installed->tables();
+    return std::binary_search(tables.begin(), tables.end(), *wanted.tetrahedra) ? installed : nullptr;
+  }
+
+  std::optional<catalogue::Database> own_file_;
+  std::optional<std::vector<Manifold>> own_table_;
+};
+
+void add_table(OptionTable& table, std::string& path) {
+  table
+      .add("--table", path,
+           "look in this table instead of the installed ones, a file that census enumerate -o, census merge "
+           "-o "
+           "or census table wrote")
+      .value_name("FILE");
+}
+
+} // namespace
+
+Json manifold_json(const Manifold& m) {
+  Json j{{"name", nullptr}, {"tetrahedra", m.tetrahedra}};
+  j.update(Json::parse(json_text(m)));
+  return j;
+}
+
+/// A stored volume rounded to twelve decimals.
+std::string shortened(const std::string& volume) {
+  constexpr int decimals = 12;
+  return fixed(format::parse_double(volume).value_or(0), decimals);
+}
+
+void add_tetrahedra(OptionTable& table, int& tetrahedra, bool required) {
+  Option& option = table.add("--tetrahedra", tetrahedra, "number of tetrahedra")
+                       .in_range(1, enumeration::max_gluing_tetrahedra);
+  if (required)
+    option.required();
+  else
+    option.with_default();
+}
+
+std::vector<Manifold> read_table_file(const std::string& path) {
+  return catalogue::read_table(format::unpacked(format::read_file(path), path), path);
+}
+
+Run declare_census_list(OptionTable& table) {
+  struct Options {
+    int tetrahedra = 3;
+    std::string table;
+    std::string boundary;
+    std::string volume;
+    std::string homology;
+    std::optional<int> cusps;
+    bool count = false;
+  };
+  const auto o = std::make_shared<Options>();
+  add_tetrahedra(table, o->tetrahedra, false);
+  add_table(table, o->table);
+  table.add("--boundary", o->boundary, "only with geodesic boundary of just these genera, such as 2 or 3,2")
+      .value_name("LIST");
+  table.add("--volume", o->volume, "only with a volume in this range; either end may be left out")
+      .value_name("A..B");
+  table.add("--homology", o->homology, "only with this first homology, such as 'Z^2 + Z/3'")
+      .value_name("GROUP");
+  table.add("--cusps", o->cusps, "only with this number of cusps").in_range(0, 1000);
+  table.add("--count", o->count, "print no more than their number");
+  return [o](const Context& context) {
+    const auto [least, greatest] = range_in(o->volume);
+    const catalogue::Wanted wanted{o->tetrahedra, genera_in(o->boundary), least, greatest, o->homology,
+                                   o->cusps};
+    const Source source(o->table);
+    Result result;
+    result.json = {{"tetrahedra", o->tetrahedra}, {"count", 0}};
+    if (o->count) {
+      const long long count = source.count(wanted);
+      result.json["count"] = count;
+      result.text = std::to_string(count) + "\n";
+      return result;
+    }
+    Json manifolds = Json::array();
+    std::vector<std::pair<std::string, std::string>> rows;
+    source.visit(wanted, [&](const Manifold& m) {
+      context.progress.step("listing");
+      manifolds.push_back(manifold_json(m));
+      rows.emplace_back(m.name, shortened(m.volume) + "  " + m.boundary_text() + "  " + m.homology + "  " +
+                                    m.signature);
+    });
+    result.json["count"] = rows.size();
+    result.json["manifolds"] = std::move(manifolds);
+    result.text = block(rows);
+    return result;
+  };
+}
+
+Run declare_census_show(OptionTable& table) {
+  struct Options {
+    std::string name;
+    std::string table;
+  };
+  const auto o = std::make_shared<Options>();
+  table.add("NAME", o->name, "a census name, such as fmp3_17").required();
+  add_table(table, o->table);
+  return [o](const Context&) {
+    const auto found = Source(o->table).find(o->name);
+    if (!found) throw InputError("no census manifold is called " + in_quotes(o->name));
+    const Manifold& m = *found;
+    Result result;
+    result.json = manifold_json(m);
+    std::vector<std::pair<std::string, std::string>> rows{
+        {"name", m.name},
+        {"tetrahedra", std::to_string(m.tetrahedra)},
+        {"signature", m.signature},
+        {"volume", m.volume},
+        {"boundary", m.boundary_text()},
+        {"edge classes", std::to_string(m.edges)},
+        {"homology", m.homology},
+        {"canonical cells", joined(m.cells, ", ")},
+        {"isometry signature", m.canonical_signature},
+        {"isometry group", "order " + std::to_string(m.symmetries)}};
+    for (std::size_t t = 0; t < m.dihedral_angles.size(); ++t)
+      for (int e = 0; e < 6; ++e)
+        rows.emplace_back(e == 0 ? "angles " + std::to_string(t) : "", m.dihedral_angles[t][e]);
+    result.text = block(rows);
+    result.value = std::make_shared<Value>(format::document_of(from_signature(m.signature), m.name));
+    return result;
+  };
+}
+
+Run declare_census_table(OptionTable& table) {
+  struct Options {
+    std::vector<std::string> tables;
+    std::string output;
+  };
+  const auto o = std::make_shared<Options>();
+  table.add("FILE", o->tables, "tables as census enumerate -o writes them, packed by xz or not").required();
+  table.add("-o,--output", o->output, "the SQLite file to write").value_name("FILE").required();
+  return [o](const Context& context) {
+    require_folder(o->output);
+    std::vector<Manifold> all;
+    for (std::size_t k = 0; k < o->tables.size(); ++k) {
+      context.progress.step("reading tables", static_cast<double>(k) / static_cast<double>(o->tables.size()));
+      for (Manifold& m : read_table_file(located(o->tables[k]))) all.push_back(std::move(m));
+    }
+    catalogue::write_database(o->output, all);
+    Result result;
+    result.json = {{"manifolds", all.size()}, {"output", o->output}};
+    result.text = counted(static_cast<long long>(all.size()), "manifold") + " written to " + o->output + "\n";
+    return result;
+  };
+}
+
+} // namespace tetrarch::program
