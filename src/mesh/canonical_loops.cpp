@@ -17,14 +17,9 @@
 namespace tetrarch::mesh {
 namespace {
 
-/// Whether the cyclic word, read from letter `start` on, is p q -p -q r s -r -s ...
-bool is_product_of_commutators(const std::vector<int>& word, std::size_t start) {
-  const auto letter = [&](std::size_t k) { return word[(start + k) % word.size()]; };
-  if (word.size() % 4 != 0) return false;
-  for (std::size_t k = 0; k < word.size(); k += 4)
-    if (letter(k) != -letter(k + 2) || letter(k + 1) != -letter(k + 3)) return false;
-  return true;
-}
+/// Up to this genus loops are laid one after the other: that takes a search of the whole surface for each,
+/// and fewer splits. Beyond, on plates and chains of 25 and 32 triangles a handle, it takes more of both.
+constexpr int few_handles = 10;
 
 bool has_turned_mates(const Surface& surface) {
   for (int k = 0; k < surface.side_count(); ++k)
@@ -63,11 +58,20 @@ CanonicalLoops mark_canonical_loops(MarkedSurface& surface, int base, const Prog
   if (base >= surface.surface.vertex_count())
     throw PreconditionError("there is no vertex " + std::to_string(base));
   CanonicalLoops result;
-  Handles handles = lay_handles(surface, base < 0 ? root_of_short_generators(surface) : base, progress);
-  const SplitCount tails = lay_tails(surface, handles, base < 0, progress);
-  result.base = handles.point.front();
-  result.edge_splits = handles.splits.edges + tails.edges;
-  result.face_splits = handles.splits.faces + tails.faces;
+  result.base = base < 0 ? root_of_short_generators(surface) : base;
+  SplitCount splits;
+  if (genus <= few_handles) {
+    splits = lay_handles_in_turn(surface, result.base, genus, progress);
+  } else {
+    Handles handles = lay_handles(surface, result.base, progress);
+    splits = handles.splits;
+    const SplitCount more = lay_tails(surface, handles, base < 0, progress);
+    splits.edges += more.edges;
+    splits.faces += more.faces;
+    result.base = handles.point.front();
+  }
+  result.edge_splits = splits.edges;
+  result.face_splits = splits.faces;
   rename_loops(surface);
   result.length.assign(2 * static_cast<std::size_t>(genus), 0);
   for (const int m : surface.mark)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
-/// One handle: two loops through a point that cross there and meet nowhere else.
+/// One handle after the other: two loops through a point that cross there and meet nowhere else.
 ///
 ///        .------------.         Loop 1 goes once around the tube, loop 2 along it. Cut along both, the
 ///       /   ._____.    \        surface loses a handle and has one hole more, whose boundary reads
@@ -25,6 +25,16 @@ namespace tetrarch::mesh {
 /// positive genus without marks. The loops keep off its boundary. Edges from the base to itself are split
 /// first. Returns the splits. A stop is heard between searches. O(n log n) for n triangles.
 SplitCount lay_handle(MarkedSurface& surface, int base, const Tolls& tolls, const Progress& progress);
+
+/// Marks canonical loops 1 to 2 `handles`, up to their names, through vertex `base` on a closed oriented
+/// surface of that genus without marks: one handle after the other, in the surface cut open so far, each
+/// from the corner between two finished commutators where its loops are shortest. A loop keeps off the
+/// earlier ones at the price of a detour, so that a wide surface needs hardly a split; but each handle
+/// costs some five searches of all that the earlier ones have left. Reports handles. O(g n log n).
+SplitCount lay_handles_in_turn(MarkedSurface& surface, int base, int handles, const Progress& progress);
+
+/// Whether the cyclic word, read from letter `start` on, is p q -p -q r s -r -s ...
+bool is_product_of_commutators(const std::vector<int>& word, std::size_t start);
 
 /// The marks along a boundary curve of the surface cut open, one for each run.
 std::vector<int> runs(const MarkedSurface& surface, const std::vector<SideEnd>& curve);

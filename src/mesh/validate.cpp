@@ -42,7 +42,11 @@ public:
     look_at_points();
     if (element_count() == 0) {
       // A surface, perhaps: there is no need to hear of every point that it is in no tetrahedron.
-      add(Kind::no_tetrahedra, 0, 0, [] { return "the mesh has no tetrahedra"; });
+      add(Kind::no_tetrahedra, 0, 0, [&] {
+        return soup_.triangles.empty() && !soup_.points.empty()
+                   ? "there are points only: no triangles and no tetrahedra"
+                   : "the mesh has no tetrahedra";
+      });
       std::fill(used_.begin(), used_.end(), 1);
     }
     for (int t = 0; t < element_count(); ++t) look_at_corners(t, Kind::repeated_vertex);

@@ -188,6 +188,9 @@ TEST_CASE("no tetrahedra", "[validate]") {
   CHECK(counts(report_of({}, {})) == Counts{{"no_tetrahedra", 1}});
   const format::Soup surface = soup_of(cube_points(), {}, cube_surface());
   CHECK(counts(validate(surface)) == Counts{{"no_tetrahedra", 1}});
+  CHECK(validate(surface).findings[0].text == "the mesh has no tetrahedra");
+  CHECK(validate(soup_of(cube_points(), {}, {})).findings[0].text ==
+        "there are points only: no triangles and no tetrahedra");
   CHECK(repair(surface).soup.triangles == surface.triangles);
 }
 

@@ -105,7 +105,7 @@ Result convert_json_mesh(const Options& options, const format::MeshDocument& mes
 void require_extension(const Options& options) {
   if (options.output.empty() || !options.to.empty() || format::format_for_extension(options.output)) return;
   throw InputError({options.output, 0},
-                   "no format has this extension (expected of a mesh: .json, .mesh, .msh, "
+                   "no format has this extension (expected of a mesh: .json, .mesh, .meshb, .msh, "
                    ".node, .vtk, .vtu, .obj, .off, .stl or .ply; of the triangulation "
                    "that it becomes: .json, .tri, .sig, .txt or .fmp)");
 }
