@@ -67,9 +67,15 @@ void repeat(MarkedSurface& surface, const Edit& edit, std::vector<int>& name) {
   const Side s(name[static_cast<std::size_t>(edit.side.triangle())], edit.side.corner());
   const int before = surface.surface.triangle_count();
   switch (edit.kind) {
-  case Edit::Kind::split_edge: split_edge(surface, s); break;
-  case Edit::Kind::split_face: split_face(surface, s.triangle()); break;
-  case Edit::Kind::flip_edge: flip_edge(surface, s); break;
+  case Edit::Kind::split_edge:
+    split_edge(surface, s);
+    break;
+  case Edit::Kind::split_face:
+    split_face(surface, s.triangle());
+    break;
+  case Edit::Kind::flip_edge:
+    flip_edge(surface, s);
+    break;
   }
   for (int t = before; t < surface.surface.triangle_count(); ++t) name.push_back(t);
 }

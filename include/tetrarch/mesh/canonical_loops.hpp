@@ -15,9 +15,11 @@
 ///
 /// A few handles are laid one after the other, in the surface cut open so far, and keep off each other at the
 /// price of a detour: wide surfaces need hardly a split. Of many handles
-///   1. each is opened by two short loops through a point of its own, near it: a ball of triangles around it is
+///   1. each is opened by two short loops through a point of its own, near it: a ball of triangles around it
+///   is
 ///      all that is looked at (mesh/handles.hpp in the sources);
-///   2. what is left is a sphere with g holes. A tree of shortest paths leads from the base to all of them; on
+///   2. what is left is a sphere with g holes. A tree of shortest paths leads from the base to all of them;
+///   on
 ///      each of its ways the four ends of a handle's loops move to the base, side by side (mesh/tails.hpp).
 /// The boundary of the disk then goes around the tree, past one commutator after the other. Where loops pass
 /// through one triangle, they cross its edges at new vertices.
