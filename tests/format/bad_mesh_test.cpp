@@ -110,9 +110,9 @@ TEST_CASE("wrong VTK files", "[bad][mesh]") {
     return complaint(with(text, from, to));
   };
   CHECK(spoilt("4 0 1 2 3\n", "4 0 1 2 x\n") == "f:13: found 'x', expected the number of a point");
-  CHECK(spoilt("5\n10\n10\n", "5\n10\n42\n") ==
-        "f:14: found a cell of type 42, expected triangles, quadrilaterals, polygons, tetrahedra, pyramids, "
-        "prisms or hexahedra");
+  CHECK(spoilt("5\n10\n10\n", "5\n10\n43\n") ==
+        "f:14: found a cell of type 43, expected triangles, quadrilaterals, polygons, tetrahedra, pyramids, "
+        "prisms, hexahedra or polyhedra");
   CHECK(spoilt("5\n10\n10\n", "5\n10\n12\n") == "f:14: found 4 points in cell 2, expected 8");
   CHECK(spoilt("5\n10\n10\n", "10\n10\n10\n") == "f:12: found 3 points in cell 0, expected 4");
   CHECK(spoilt("CELL_TYPES 3", "CELL_TYPES 2").find("found") != std::string::npos);

@@ -25,7 +25,7 @@ except ImportError:
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 FROZEN = ROOT / "tests/data/frozen/1"
-KINDS = ("triangulation", "mesh", "group", "census", "certificate")
+KINDS = ("triangulation", "mesh", "group", "census", "certificate", "graphs")
 
 
 def validators():

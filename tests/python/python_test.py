@@ -184,7 +184,8 @@ class BesideTheProgram(unittest.TestCase):
 
     def test_no_and_undecided_are_values(self):
         self.assertIs(tt.Manifold("m003").is_isometric_to("m004"), False)
-        self.assertEqual(tt.hyperbolize("S^3").verdict, "undecided")
+        self.assertEqual(tt.hyperbolize("S^3").verdict, "no")
+        self.assertEqual(tt.hyperbolize("S^3", as_given=True).verdict, "undecided")
         move = tt.move("cPcbbbiht", "3-2", 0, 0, 1)
         self.assertEqual((move.verdict, bool(move)), ("no", False))
 

@@ -886,9 +886,12 @@ class Errors(unittest.TestCase):
         error = json.loads(done.stderr)["error"]
         self.assertEqual((error["code"], error["file"], error["line"]), ("bad_content", path, 4))
         self.assertIn("'zero'", error["message"])
+        group = os.path.join(folder.name, "group")
+        with open(group, "w", encoding="utf-8") as file:
+            file.write("< a | a^2 >\n")
         codes = {("info", "nonsense"): "unknown_name", ("info", "--bogus"): "bad_option", ("info", "m004", "--memory", "x"): "bad_option",
                  ("check", os.path.join(folder.name, "none.off")): "bad_file", ("check", "cPcbbbihq"): "bad_file", ("no_command",): "bad_option",
-                 ("info", "L(6,2)"): "bad_value", ("hyperbolize", "<a | a^2>"): "wrong_kind"}
+                 ("info", "L(6,2)"): "bad_value", ("hyperbolize", group): "wrong_kind"}
         for words, code in codes.items():
             self.assertEqual(json.loads(run(*words, "--json").stderr)["error"]["code"], code, words)
         for words in (["info", "nonsense"], ["info", "--bogus"], ["no_command"]):

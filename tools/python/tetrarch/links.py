@@ -130,7 +130,7 @@ class SpatialGraph:
 
         >>> import tetrarch as tt
         >>> tt.Link("DT[4,6,2]").code
-        'PD[X[1, 4, 2, 5], X[3, 6, 4, 1], X[5, 2, 6, 3]]'
+        'PD[X[3, 6, 4, 1], X[1, 4, 2, 5], X[5, 2, 6, 3]]'
         """
         return str(self._facts.code)
 

@@ -443,7 +443,7 @@ class Manifold(Gluings):
         >>> tt.Manifold("cPcbbbihq").structure()
         Structure(geometric, volume 6.451990270835)
         >>> tt.Manifold("L(7,2)").structure().verdict
-        'undecided'
+        'no'
         """
         usual = method == "newton" and not as_given and attempts == _ATTEMPTS and seed == 1
         if usual and self._structure is not None:
