@@ -34,7 +34,7 @@ struct Candidate {
   Proofs proofs;
   std::string reason;   ///< of a no, by its kind; or what is known where nothing is proved
   std::string evidence; ///< of a no: what was found
-  Manifold manifold;  ///< without its name; where `has_cells`
+  Manifold manifold;    ///< without its name; where `has_cells`
 };
 
 /// Solves the gluing itself, keeping dihedral angles or not. A structure that is found is certified, its

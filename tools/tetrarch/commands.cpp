@@ -7,7 +7,6 @@
 #include "tetrarch/workshop/identify.hpp"
 #include "tetrarch/workshop/info.hpp"
 #include "tetrarch/workshop/pair.hpp"
-#include "tetrarch/workshop/pair.hpp"
 #include "tetrarch/workshop/structure.hpp"
 #include "tetrarch/workshop/verify.hpp"
 

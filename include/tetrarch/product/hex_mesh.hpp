@@ -8,8 +8,8 @@
 ///      4-------5 |        corner the scaled Jacobian is the determinant of the unit vectors along the
 ///      | 3-----|-2        three edges: 1 for right angles, 0 or less where the corner is flat or turned
 ///      |/      |/         inside out. That of the hexahedron is the least of the eight and of the one in
-///      0-------1          the middle, where the vectors join the centers of opposite faces; and 0, if these are
-///                         positive but the Jacobian determinant is not everywhere inside.
+///      0-------1          the middle, where the vectors join the centers of opposite faces; and 0, if
+///                         these are positive but the Jacobian determinant is not everywhere inside.
 ///
 /// Source: the Verdict library, which uses the middle too (Stimpson et al., Sandia report SAND2007-1751).
 
