@@ -91,8 +91,9 @@ int crossings(const mesh::TriangleMesh& mesh, const std::vector<Complex>& positi
     if (!mesh.surface.is_boundary(Side(k))) continue;
     const int v = mesh.surface.from(Side(k));
     const int u = mesh.surface.to(Side(k));
-    const auto [left, right] = std::minmax(position[v].real(), position[u].real());
-    edges.push_back({v, u, left, right});
+    const double a = position[v].real();
+    const double b = position[u].real();
+    edges.push_back({v, u, std::min(a, b), std::max(a, b)});
   }
   std::sort(edges.begin(), edges.end(), [](const Edge& a, const Edge& b) { return a.left < b.left; });
   const auto side = [&](const Edge& e, int v) {
