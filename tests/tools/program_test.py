@@ -886,14 +886,13 @@ class Errors(unittest.TestCase):
         error = json.loads(done.stderr)["error"]
         self.assertEqual((error["code"], error["file"], error["line"]), ("bad_content", path, 4))
         self.assertIn("'zero'", error["message"])
-        group = os.path.join(folder.name, "group")
-        with open(group, "w", encoding="utf-8") as file:
-            file.write("< a | a^2 >\n")
         codes = {("info", "nonsense"): "unknown_name", ("info", "--bogus"): "bad_option", ("info", "m004", "--memory", "x"): "bad_option",
                  ("check", os.path.join(folder.name, "none.off")): "bad_file", ("check", "cPcbbbihq"): "bad_file", ("no_command",): "bad_option",
-                 ("info", "L(6,2)"): "bad_value", ("hyperbolize", group): "wrong_kind"}
+                 ("info", "L(6,2)"): "bad_value"}
         for words, code in codes.items():
             self.assertEqual(json.loads(run(*words, "--json").stderr)["error"]["code"], code, words)
+        done = run("shell", stdin="G = group 4_1\nhyperbolize G --json\n")
+        self.assertEqual(json.loads(done.stderr.splitlines()[-1])["error"]["code"], "wrong_kind", done.stderr)
         for words in (["info", "nonsense"], ["info", "--bogus"], ["no_command"]):
             done = run(*words, "--json")
             self.assertEqual((done.returncode, done.stdout), (2, ""), words)
