@@ -55,7 +55,10 @@ private:
     }
   }
 
-  int& entry(int sheet, int column) { return table_[static_cast<std::size_t>(sheet * width_ + column)]; }
+  int& entry(int sheet, int column) {
+    return table_[static_cast<std::size_t>(sheet) * static_cast<std::size_t>(width_) +
+                  static_cast<std::size_t>(column)];
+  }
 
   /// Sets an entry and its inverse. False if that contradicts what is there.
   bool set(int from, int column, int to) {
@@ -187,7 +190,8 @@ std::vector<bool> spanning_tree(const Cover& cover) {
         if (reached[static_cast<std::size_t>(other)]) continue;
         reached[static_cast<std::size_t>(other)] = true;
         queue.push_back(other);
-        in[static_cast<std::size_t>(g * cover.degree + p)] = true;
+        in[static_cast<std::size_t>(g) * static_cast<std::size_t>(cover.degree) +
+           static_cast<std::size_t>(p)] = true;
       }
   return in;
 }

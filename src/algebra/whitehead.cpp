@@ -23,7 +23,7 @@ int letter_of(int point) {
 using Graph = std::vector<std::vector<int>>;
 
 Graph whitehead_graph(const Presentation& group) {
-  const auto points = static_cast<std::size_t>(2 * group.generators);
+  const std::size_t points = 2 * static_cast<std::size_t>(group.generators);
   Graph lines(points, std::vector<int>(points, 0));
   for (const Word& relator : group.relators)
     for (std::size_t k = 0; k < relator.size(); ++k) {

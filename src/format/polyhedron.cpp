@@ -88,6 +88,7 @@ void Cells::add_polyhedron(const std::vector<std::vector<int>>& faces, const Cel
   std::sort(corners.begin(), corners.end());
   corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
   std::vector<std::vector<Triangle>> skin;
+  skin.reserve(faces.size());
   for (const std::vector<int>& face : faces) skin.push_back(cut_face(face));
 
   // Seen from outside: all faces are turned, or each that is.

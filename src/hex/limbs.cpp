@@ -60,7 +60,8 @@ public:
       }
     Entry farthest{0, 0};
     while (!queue.empty()) {
-      const auto [so_far, k] = queue.top();
+      const double so_far = queue.top().first;
+      const std::size_t k = queue.top().second;
       queue.pop();
       if (so_far > reached[k]) continue;
       if (covered_[k] == 0) farthest = std::max(farthest, {so_far, k});

@@ -103,7 +103,7 @@ private:
   }
 
   /// Takes a solution over. False where it is none.
-  bool accept(Run<double> run) {
+  bool accept(const Run<double>& run) {
     result_.iterations += run.iterations;
     result_.residual = run.state.residual();
     result_.last_step = run.last_step;

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <map>
+#include <numeric>
 #include <utility>
 
 namespace tetrarch::moves {
@@ -297,8 +298,8 @@ Monodromy carried(Monodromy monodromy, const Triangulation& before, const Ball& 
   Monodromy out(after.tri.size());
   for (int t = 0; t < before.size(); ++t)
     if (after.image[t] >= 0) out.take(after.image[t], monodromy, t);
-  std::vector<int> tets;
-  for (int k = 0; k < static_cast<int>(ball.after.size()); ++k) tets.push_back(after.first_new + k);
+  std::vector<int> tets(ball.after.size());
+  std::iota(tets.begin(), tets.end(), after.first_new);
   fill_in(out, ways, ball, tets);
   return out;
 }

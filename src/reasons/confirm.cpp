@@ -31,6 +31,7 @@ Word standard(const Word& word) {
 
 std::vector<Word> standard(const std::vector<Word>& relators) {
   std::vector<Word> all;
+  all.reserve(relators.size());
   for (const Word& relator : relators) all.push_back(standard(algebra::cyclically_reduced(relator)));
   std::sort(all.begin(), all.end());
   return all;

@@ -304,8 +304,8 @@ std::vector<Side> CutOpen::sides() const {
     std::set<int> vertices;
     for (int t = 0; t < tri_.size(); ++t)
       for (int v = 0; v < 4; ++v)
-        if (side_[static_cast<std::size_t>(first_room_[static_cast<std::size_t>(t)] +
-                                           pieces_[static_cast<std::size_t>(t)].room_at_corner(v))] == number)
+        if (side_[static_cast<std::size_t>(first_room_[static_cast<std::size_t>(t)]) +
+                  static_cast<std::size_t>(pieces_[static_cast<std::size_t>(t)].room_at_corner(v))] == number)
           vertices.insert(skeleton_.vertex({t, v}).value);
     for (const int v : vertices)
       if (!skeleton_.link(VertexId(v)).is_sphere()) side.boundary.emplace_back(v);

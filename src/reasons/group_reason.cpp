@@ -20,7 +20,7 @@ constexpr const char* splitting =
 
 /// "a^3" with longer words in parentheses.
 std::string power_str(const Word& word, int exponent, int generators) {
-  const std::string text = word_str(word, generators);
+  std::string text = word_str(word, generators);
   if (exponent == 1) return text;
   return (word.size() > 1 ? "(" + text + ")" : text) + "^" + std::to_string(exponent);
 }

@@ -31,7 +31,7 @@ constexpr int quad_kind(int i, int j) {
 class Pieces {
 public:
   Pieces(const Coordinates& coordinates, int tet) {
-    const auto first = static_cast<std::size_t>(7 * tet);
+    const std::size_t first = 7 * static_cast<std::size_t>(tet);
     for (int v = 0; v < 4; ++v) triangles_[v] = coordinates[first + static_cast<std::size_t>(v)];
     for (int k = 0; k < 3; ++k)
       if (coordinates[first + 4 + static_cast<std::size_t>(k)] > 0) {

@@ -229,7 +229,8 @@ std::optional<Reason> of_torus(const CutOpen& cut, const Triangulation& tri, con
     if (closed.empty()) return std::nullopt;
     const std::string other = no_product(side, skeleton, group, options, progress);
     if (other.empty()) return std::nullopt;
-    reason.surface->sides.push_back(closed + "; " + other);
+    std::string& said = reason.surface->sides.emplace_back(closed);
+    said.append("; ").append(other);
   }
   return reason;
 }

@@ -14,13 +14,13 @@ namespace {
 
 constexpr int most_tetrahedra = 18;
 constexpr std::int64_t largest_number = 1'000'000;
-using Support = std::bitset<7 * most_tetrahedra>;
+using Support = std::bitset<std::size_t{7} * most_tetrahedra>;
 
 std::size_t triangle(int tet, int v) {
-  return static_cast<std::size_t>(7 * tet + v);
+  return 7 * static_cast<std::size_t>(tet) + static_cast<std::size_t>(v);
 }
 std::size_t quad(int tet, int i, int j) {
-  return static_cast<std::size_t>(7 * tet + 4 + quad_kind(std::min(i, j), std::max(i, j)));
+  return triangle(tet, 4 + quad_kind(std::min(i, j), std::max(i, j)));
 }
 
 /// The arcs around corner v of one face: triangles at v and quadrilaterals that part v and the opposite
@@ -61,7 +61,7 @@ std::int64_t value(const Equation& equation, const Ray& ray) {
 bool is_admissible(const Support& support, int tets) {
   for (int t = 0; t < tets; ++t) {
     int kinds = 0;
-    for (int k = 4; k < 7; ++k) kinds += support[static_cast<std::size_t>(7 * t + k)] ? 1 : 0;
+    for (int k = 4; k < 7; ++k) kinds += support[triangle(t, k)] ? 1 : 0;
     if (kinds > 1) return false;
   }
   return true;
@@ -160,11 +160,11 @@ std::optional<std::vector<Coordinates>> vertex_surfaces(const Triangulation& tri
 }
 
 bool is_normal_surface(const Triangulation& tri, const Coordinates& coordinates) {
-  if (coordinates.size() != static_cast<std::size_t>(7 * tri.size())) return false;
+  if (coordinates.size() != 7 * static_cast<std::size_t>(tri.size())) return false;
   if (std::any_of(coordinates.begin(), coordinates.end(), [](int x) { return x < 0; })) return false;
   for (int t = 0; t < tri.size(); ++t) {
     int kinds = 0;
-    for (int k = 4; k < 7; ++k) kinds += coordinates[static_cast<std::size_t>(7 * t + k)] > 0 ? 1 : 0;
+    for (int k = 4; k < 7; ++k) kinds += coordinates[triangle(t, k)] > 0 ? 1 : 0;
     if (kinds > 1) return false;
   }
   for (const Equation& equation : matching_equations(tri)) {

@@ -47,6 +47,7 @@ std::vector<int> around(const Surface& surface, SideEnd at) {
     front = std::move(next);
   }
   std::vector<int> result;
+  result.reserve(triangles.size());
   for (const auto& [t, is_there] : triangles) result.push_back(t);
   return result;
 }

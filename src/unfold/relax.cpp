@@ -25,6 +25,7 @@ public:
       first_.push_back(first_.back() + (f.kind == Kind::fixed ? 0 : f.kind == Kind::free ? 2 : 1));
     // Each pair of a column and a row below it, by columns.
     std::vector<std::pair<int, int>> pairs;
+    pairs.reserve(static_cast<std::size_t>(size()));
     for (int j = 0; j < size(); ++j) pairs.emplace_back(j, j);
     for (const FlatElement& e : elements) {
       const std::vector<int> own = of(e);

@@ -50,6 +50,7 @@ std::string orders_at(const hyperbolic::OrbifoldStructure& s, const Skeleton& sk
   }
   std::sort(orders.begin(), orders.end());
   std::vector<std::string> words;
+  words.reserve(orders.size());
   for (const double order : orders) words.push_back(order == 0 ? "null" : rounded(order));
   return joined(words, ", ");
 }
