@@ -32,15 +32,21 @@ void describe_boundary(Manifold& m, const Skeleton& skeleton) {
   std::sort(m.boundary.begin(), m.boundary.end(), std::greater<>());
 }
 
-/// Volume and angles from the structure in 60 digits.
-void describe_structure(Manifold& m, const Skeleton& skeleton,
+/// Volume and angles from the structure in 60 digits. False if these are not those of the structure in
+/// doubles.
+bool describe_structure(Manifold& m, const Skeleton& skeleton,
                         const hyperbolic::Hyperbolization<double>& solved) {
+  constexpr double same = 1e-9;
   const auto structure = hyperbolic::refine<Real50>(skeleton, solved);
+  if (structure.outcome != hyperbolic::Outcome::geometric ||
+      !(abs(structure.volume - Real50(solved.volume)) < same))
+    return false;
   m.volume = digits(structure.volume);
   for (const auto& angles : structure.dihedral_angles) {
     m.dihedral_angles.emplace_back();
     for (int e = 0; e < 6; ++e) m.dihedral_angles.back()[e] = digits(angles[e]);
   }
+  return true;
 }
 
 /// Certifies the structure. Where the interval decides the digits of the volume, they are its digits.
@@ -87,7 +93,11 @@ void complete(Candidate& candidate, const Triangulation& tri,
     candidate.proofs.why_not = "the cells are not proved: " + cells.proof.why_not;
   m.tetrahedra = tri.size();
   m.signature = signature(tri);
-  if (angles || m.volume.empty()) describe_structure(m, skeleton, structure);
+  if ((angles || m.volume.empty()) && !describe_structure(m, skeleton, structure)) {
+    candidate.has_cells = false;
+    candidate.proofs.why_not = "the structure in 60 digits is not the one in doubles";
+    return;
+  }
   if (!angles) m.dihedral_angles.clear();
   describe_boundary(m, skeleton);
   m.edges = skeleton.edge_count();
