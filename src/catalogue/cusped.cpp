@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <string>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -45,20 +46,31 @@ const std::vector<Cusped>& census() {
   return all;
 }
 
-std::optional<Cusped> find(std::string_view text, std::string_view Cusped::*member) {
-  const auto found =
-      std::find_if(census().begin(), census().end(), [&](const Cusped& c) { return c.*member == text; });
-  return found == census().end() ? std::nullopt : std::optional(*found);
+/// Where each manifold stands in the census by one of its texts; of two that share it, the first.
+using Index = std::unordered_map<std::string_view, std::size_t>;
+
+Index index_by(std::string_view Cusped::*member) {
+  Index index;
+  index.reserve(census().size());
+  for (std::size_t k = 0; k < census().size(); ++k) index.emplace(census()[k].*member, k);
+  return index;
+}
+
+std::optional<Cusped> find(std::string_view text, const Index& index) {
+  const auto found = index.find(text);
+  return found == index.end() ? std::nullopt : std::optional(census()[found->second]);
 }
 
 } // namespace
 
 std::optional<Cusped> find_cusped(std::string_view name) {
-  return find(name, &Cusped::name);
+  static const Index by_name = index_by(&Cusped::name);
+  return find(name, by_name);
 }
 
 std::optional<Cusped> find_cusped_by_isometry_signature(std::string_view signature) {
-  return find(signature, &Cusped::isometry_signature);
+  static const Index by_isometry_signature = index_by(&Cusped::isometry_signature);
+  return find(signature, by_isometry_signature);
 }
 
 int cusped_count() {

@@ -12,7 +12,6 @@
 #include <fstream>
 #include <mutex>
 #include <nlohmann/json.hpp>
-#include <unistd.h>
 
 namespace tetrarch::catalogue {
 namespace {
@@ -135,23 +134,21 @@ void insert(Statement& row, const Manifold& m) {
   row.reset();
 }
 
-/// Beside the target until it is whole.
-class Unfinished {
-public:
-  explicit Unfinished(const std::string& target) : name(target + "." + std::to_string(::getpid()) + ".part") {
-    remove();
-  }
-  Unfinished(const Unfinished&) = delete;
-  Unfinished& operator=(const Unfinished&) = delete;
-  ~Unfinished() { remove(); }
-  const std::string name;
-
-private:
-  void remove() const {
-    std::error_code ignored;
-    fs::remove(name, ignored);
-  }
-};
+/// Opened to be read by several threads, and seen to be ours.
+Connection open_ours(const std::string& path) {
+  std::error_code ignored;
+  if (!fs::is_regular_file(path, ignored)) throw InputError({path, 0}, "there is no such file");
+  Connection connection(path, SQLITE_OPEN_READONLY | SQLITE_OPEN_FULLMUTEX);
+  const auto number = [&](const char* pragma) {
+    Statement statement(connection, pragma);
+    return statement.step() ? statement.number(0) : 0;
+  };
+  if (number("PRAGMA application_id") != application)
+    throw InputError({path, 0}, "this is no file of census tables");
+  if (number("PRAGMA user_version") != 1)
+    throw InputError({path, 0}, "this file of census tables is of another version");
+  return connection;
+}
 
 /// Where the program lies, or nothing where the system does not say.
 fs::path beside_program() {
@@ -179,8 +176,7 @@ bool Wanted::fits(const Manifold& m) const {
 
 struct Database::State {
   explicit State(const std::string& path)
-      : connection(path, SQLITE_OPEN_READONLY | SQLITE_OPEN_FULLMUTEX), name(select("name")),
-        signature(select("canonical_signature")) {}
+      : connection(open_ours(path)), name(select("name")), signature(select("canonical_signature")) {}
 
   Statement select(const char* key) const {
     return {connection, std::string("SELECT ") + columns + " FROM manifold WHERE " + key + " = ?"};
@@ -202,18 +198,7 @@ struct Database::State {
   Statement signature;
 };
 
-Database::Database(const std::string& path) {
-  std::error_code ignored;
-  if (!fs::is_regular_file(path, ignored)) throw InputError({path, 0}, "there is no such file");
-  Connection connection(path, SQLITE_OPEN_READONLY);
-  Statement owner(connection, "PRAGMA application_id");
-  if (!owner.step() || owner.number(0) != application)
-    throw InputError({path, 0}, "this is no file of census tables");
-  Statement version(connection, "PRAGMA user_version");
-  if (!version.step() || version.number(0) != 1)
-    throw InputError({path, 0}, "this file of census tables is of another version");
-  state_ = std::make_unique<State>(path);
-}
+Database::Database(const std::string& path) : state_(std::make_unique<State>(path)) {}
 
 Database::~Database() = default;
 
@@ -247,23 +232,18 @@ std::vector<int> Database::tables() const {
   return found;
 }
 
-void write_database(const std::string& path, const std::vector<Manifold>& manifolds) {
-  const Unfinished beside(path);
-  {
-    const Connection connection(beside.name, SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE);
-    connection.run("PRAGMA journal_mode = OFF; PRAGMA page_size = 4096;");
-    connection.run(heading);
-    connection.run("BEGIN");
-    connection.run(schema);
-    Statement row(connection, std::string("INSERT INTO manifold (") + columns +
-                                  ", volume_value) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
-    for (const Manifold& m : manifolds) insert(row, m);
-    connection.run(indexes);
-    connection.run("COMMIT; ANALYZE;");
-  }
-  std::error_code error;
-  fs::rename(beside.name, path, error);
-  if (error) throw InputError({path, 0}, "cannot be written: " + error.message());
+std::string database_of(const std::vector<Manifold>& manifolds) {
+  const Connection connection;
+  connection.run("PRAGMA page_size = 4096;");
+  connection.run(heading);
+  connection.run("BEGIN");
+  connection.run(schema);
+  Statement row(connection, std::string("INSERT INTO manifold (") + columns +
+                                ", volume_value) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
+  for (const Manifold& m : manifolds) insert(row, m);
+  connection.run(indexes);
+  connection.run("COMMIT; ANALYZE;");
+  return connection.bytes();
 }
 
 bool is_database(const std::string& path) {

@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <new>
 #include <sqlite3.h>
 #include <string>
 #include <string_view>
@@ -23,21 +24,35 @@ struct Finalize {
 /// An open file.
 class Connection {
 public:
-  Connection(std::string path, int flags) : path_(std::move(path)) {
-    sqlite3* db = nullptr;
-    const int code = ::sqlite3_open_v2(path_.c_str(), &db, flags, nullptr);
-    db_.reset(db);
-    if (code != SQLITE_OK) fail();
-  }
+  Connection(std::string path, int flags) : path_(std::move(path)) { open(path_.c_str(), flags); }
+  /// Tables in memory.
+  Connection() { open(":memory:", SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE); }
   sqlite3* get() const { return db_.get(); }
   void run(const char* sql) const {
     if (::sqlite3_exec(db_.get(), sql, nullptr, nullptr, nullptr) != SQLITE_OK) fail();
+  }
+  /// What a file of these tables holds.
+  std::string bytes() const {
+    struct Free {
+      void operator()(unsigned char* memory) const { ::sqlite3_free(memory); }
+    };
+    sqlite3_int64 size = 0;
+    const std::unique_ptr<unsigned char, Free> all(::sqlite3_serialize(db_.get(), "main", &size, 0));
+    if (!all) throw std::bad_alloc();
+    return {all.get(), all.get() + size};
   }
   [[noreturn]] void fail() const {
     throw InputError({path_, 0}, std::string("SQLite: ") + (db_ ? ::sqlite3_errmsg(db_.get()) : "no memory"));
   }
 
 private:
+  void open(const char* path, int flags) {
+    sqlite3* db = nullptr;
+    const int code = ::sqlite3_open_v2(path, &db, flags, nullptr);
+    db_.reset(db);
+    if (code != SQLITE_OK) fail();
+  }
+
   std::string path_;
   std::unique_ptr<sqlite3, CloseConnection> db_;
 };

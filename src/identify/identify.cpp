@@ -154,7 +154,7 @@ private:
     if (graphs.empty()) return;
     std::string names;
     for (const std::string& graph : graphs) names += (names.empty() ? "" : ", ") + graph;
-    say("it is the exterior of " + names + ", graphs in space");
+    say(std::string("it is the exterior in S^3 of the graph") + (graphs.size() > 1 ? "s " : " ") + names);
     if (out_.by != By::nothing) return;
     out_.by = by;
     out_.name = "exterior of " + names;

@@ -3,7 +3,6 @@
 
 #include "tetrarch/core/error.hpp"
 
-#include <array>
 #include <catch2/catch.hpp>
 #include <cstdio>
 #include <filesystem>
@@ -34,6 +33,10 @@ std::vector<Manifold> all_stored() {
   for (const int n : {2, 3, 4})
     for (Manifold& m : without_angles(stored_table(n))) all.push_back(std::move(m));
   return all;
+}
+
+void write_database(const std::string& path, const std::vector<Manifold>& manifolds) {
+  std::ofstream(path, std::ios::binary) << database_of(manifolds);
 }
 
 std::vector<Manifold> found(const Database& file, const Wanted& wanted) {
@@ -134,7 +137,7 @@ TEST_CASE("looking a manifold up uses an index", "[census]") {
   ::sqlite3_close(db);
 }
 
-TEST_CASE("what is no file of tables is refused, and a file is made whole or not at all", "[census]") {
+TEST_CASE("what is no file of tables is refused, and names do not repeat", "[census]") {
   const Folder folder;
   CHECK_THROWS_WITH(Database(folder / "none"), Catch::Contains("there is no such file"));
   std::ofstream(folder / "text")
@@ -151,14 +154,8 @@ TEST_CASE("what is no file of tables is refused, and a file is made whole or not
   std::vector<Manifold> twice = without_angles(stored_table(2));
   write_database(folder / "good", twice);
   twice.push_back(twice.front());
-  CHECK_THROWS_WITH(write_database(folder / "good", twice), Catch::Contains("UNIQUE"));
+  CHECK_THROWS_WITH(database_of(twice), Catch::Contains("UNIQUE"));
   CHECK(Database(folder / "good").count({}) == 8);
-  CHECK_THROWS_AS(write_database(folder / "none/census.sqlite", twice), InputError);
-  std::vector<std::string> names;
-  for (const auto& entry : std::filesystem::directory_iterator(folder.path))
-    names.push_back(entry.path().filename());
-  std::sort(names.begin(), names.end());
-  CHECK(names == std::vector<std::string>{"good", "other", "text"});
 }
 
 TEST_CASE("a table of lines gives its manifolds back with their names", "[census]") {

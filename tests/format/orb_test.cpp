@@ -29,15 +29,9 @@ vertices_known
 9
 0	129	66
 )";
-const std::string graph = R"(% orb
-Graphs2_0
-SolutionType geometric_solution
-
-  1  0 1.000  1vu  2ux  2xv  1xv  1vw  2wx
-  2  3 0.000  1wu  1ux  2uw  2wv
-  3  2 0.000  1xw
-  4  1 0.000  2vu
-)";
+std::string graph() {
+  return read_file(data("graphs2_0.orb"));
+}
 
 std::string complaint(const std::string& text) {
   return error_of([&] { read_any(text, "f"); });
@@ -54,7 +48,7 @@ TEST_CASE("an Orb file is read", "[orb]") {
 }
 
 TEST_CASE("an Orb file of a graph's complement is read", "[orb]") {
-  const Document document = read_any(graph, "f");
+  const Document document = read_any(graph(), "f");
   CHECK(document.passed_over.empty());
   // The three singular edges of the file, all of order 0; by hand: 1wu is the edge vx of tetrahedron 0, 1xw
   // and 2vu the edges uv of tetrahedron 0 and wx of tetrahedron 1.

@@ -4,18 +4,11 @@ import json
 import os
 import unittest
 
-from running import InFolder, run, run_json
+from running import SOURCE, InFolder, run, run_json
 
-# The lines of edges of Orb's example file Graphs2_0: a graph in S^3 with three edges, all of them parabolic.
-GRAPH = """% orb
-Graphs2_0
-SolutionType geometric_solution
-
-  1  0 1.000  1vu  2ux  2xv  1xv  1vw  2wx
-  2  3 0.000  1wu  1ux  2uw  2wv
-  3  2 0.000  1xw
-  4  1 0.000  2vu
-"""
+# Lines of edges of Orb's example files. Graphs2_0: a graph in S^3 with three edges, all of them parabolic.
+with open(f"{SOURCE}/tests/data/format/graphs2_0.orb", encoding="utf-8") as orb:
+    GRAPH = orb.read()
 # And of 1_1^2.1, which Orb calls partially flat; the volume is that of 1_1^2.20, the same orbifold on four positive
 # tetrahedra (tests/hyperbolic/orbifold_test.cpp).
 FLAT = """% orb

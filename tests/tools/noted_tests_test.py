@@ -94,6 +94,19 @@ class Folder(unittest.TestCase):
             file.write(content)
 
 
+class Doubt(unittest.TestCase):
+    """The room whose note is not believed."""
+
+    def test_every_room_comes_up_and_dear_ones_seldom(self):
+        sources = {"numeric": 20, "slit": 100, "checker": 200}
+        drawn = [notes.draw(sources, f"{k:04x}8000{'0' * 32}") for k in range(1 << 16)]
+        share = {room: drawn.count(room) / len(drawn) for room in sources}
+        # 1/400, 1/10,000 and 1/40,000 are as 100 to 4 to 1.
+        for room, part in {"numeric": 100, "slit": 4, "checker": 1}.items():
+            self.assertAlmostEqual(share[room], part / 105, delta=1e-4)
+        self.assertEqual(notes.draw(sources, "f" * 40), "checker")
+
+
 class House(Folder):
     """All its slow tests have passed."""
 
@@ -174,7 +187,7 @@ class UnderTheSanitizers(Folder):
     def test_the_two_kinds_have_notes_of_their_own(self):
         self.assertEqual(len(notes.select(self.root, "slow", self.build())[0]), len(ALL))
 
-    def test_each_commit_doubts_one_room_and_in_time_every_one(self):
+    def test_each_commit_doubts_one_room_and_not_always_the_same(self):
         git = ["git", "-C", self.root, "-c", "user.name=a", "-c", "user.email=a@example.org"]
         subprocess.run([*git, "init", "--quiet"], check=True)
         seen = []
@@ -182,7 +195,8 @@ class UnderTheSanitizers(Folder):
             subprocess.run([*git, "commit", "--quiet", "--allow-empty", "-m", str(k)], check=True)
             seen.append(self.selected())
             self.assertEqual(len(seen[-1]), 1)
-        self.assertEqual(set().union(*seen), self.ROOMS)  # (4/5)^60: all but surely
+        self.assertLessEqual(set().union(*seen), self.ROOMS)
+        self.assertGreater(len(set().union(*seen)), 1)  # not always the same one
 
 
 class OurHouse(unittest.TestCase):

@@ -244,8 +244,8 @@ Run declare_census_table(OptionTable& table) {
       context.progress.step("reading tables", static_cast<double>(k) / static_cast<double>(o->tables.size()));
       for (Manifold& m : read_table_file(located(o->tables[k]))) all.push_back(std::move(m));
     }
-    catalogue::write_database(o->output, all);
     Result result;
+    result.files.push_back({o->output, catalogue::database_of(all)});
     result.json = {{"manifolds", all.size()}, {"output", o->output}};
     result.text = counted(static_cast<long long>(all.size()), "manifold") + " written to " + o->output + "\n";
     return result;

@@ -23,7 +23,7 @@ struct Cusped {
   std::string_view isometry_signature; ///< of the canonical triangulation
 };
 
-/// The manifold of that name, "m125"; nothing if the census has none. It reads the whole table, 0.1 ms.
+/// The manifold of that name, "m125"; nothing if the census has none. Constant time.
 std::optional<Cusped> find_cusped(std::string_view name);
 /// The same by the signature of the canonical triangulation.
 std::optional<Cusped> find_cusped_by_isometry_signature(std::string_view signature);
