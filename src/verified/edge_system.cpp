@@ -22,6 +22,16 @@ std::int64_t inverse(std::int64_t x) {
   return result;
 }
 
+template <class Scalar>
+void add(std::vector<typename SparseRows<Scalar>::Entry>& row, int column, const Scalar& value) {
+  const auto at = std::lower_bound(row.begin(), row.end(), column,
+                                   [](const auto& entry, int place) { return entry.column < place; });
+  if (at != row.end() && at->column == column)
+    at->value += value;
+  else
+    row.insert(at, {column, value});
+}
+
 } // namespace
 
 EdgeSystem::EdgeSystem(const Skeleton& skeleton)
@@ -88,8 +98,9 @@ std::vector<Scalar> EdgeSystem::equations(const hyperbolic::Metric<Scalar>& curv
 }
 
 template <class Scalar>
-SquareMatrix<Scalar> EdgeSystem::hessian(const hyperbolic::Metric<Scalar>& lengths) const {
-  SquareMatrix<Scalar> h(unknowns_);
+SparseRows<Scalar> EdgeSystem::hessian(const hyperbolic::Metric<Scalar>& lengths) const {
+  SparseRows<Scalar> h;
+  h.rows.resize(static_cast<std::size_t>(unknowns_));
   for (int t = 0; t < skeleton_.tetrahedron_count(); ++t) {
     const auto slopes = hyperbolic::angle_jacobian(hyperbolic::lengths_at(skeleton_, lengths, t),
                                                    hyperbolic::types_at(skeleton_, types_, t));
@@ -97,7 +108,7 @@ SquareMatrix<Scalar> EdgeSystem::hessian(const hyperbolic::Metric<Scalar>& lengt
       const int row = place_[skeleton_.edge({t, e})];
       for (int f = 0; f < 6; ++f) {
         const int column = place_[skeleton_.edge({t, f})];
-        if (row >= 0 && column >= 0) h(row, column) += slopes[e][f];
+        if (row >= 0 && column >= 0) add<Scalar>(h.rows[row], column, slopes[e][f]);
       }
     }
   }
@@ -119,7 +130,7 @@ std::optional<Ball> EdgeSystem::volume(const hyperbolic::Metric<Ball>& lengths,
 
 template std::optional<hyperbolic::Metric<Ball>> EdgeSystem::curvature(const hyperbolic::Metric<Ball>&) const;
 template std::vector<Ball> EdgeSystem::equations(const hyperbolic::Metric<Ball>&) const;
-template SquareMatrix<double> EdgeSystem::hessian(const hyperbolic::Metric<double>&) const;
-template SquareMatrix<Ball> EdgeSystem::hessian(const hyperbolic::Metric<Ball>&) const;
+template SparseRows<double> EdgeSystem::hessian(const hyperbolic::Metric<double>&) const;
+template SparseRows<Ball> EdgeSystem::hessian(const hyperbolic::Metric<Ball>&) const;
 
 } // namespace tetrarch::verified

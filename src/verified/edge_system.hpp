@@ -12,17 +12,17 @@
 
 namespace tetrarch::verified {
 
-/// Square, row by row.
+/// A square matrix, of each row the places that are not 0, in increasing order: some thirty, however large it
+/// is, for an edge has six tetrahedra on the average.
 template <class Scalar>
-struct SquareMatrix {
-  int size = 0;
-  std::vector<Scalar> entries;
+struct SparseRows {
+  struct Entry {
+    int column;
+    Scalar value;
+  };
+  std::vector<std::vector<Entry>> rows;
 
-  explicit SquareMatrix(int n) : size(n), entries(static_cast<std::size_t>(n) * n, Scalar(0)) {}
-  Scalar& operator()(int row, int column) { return entries[static_cast<std::size_t>(row) * size + column]; }
-  const Scalar& operator()(int row, int column) const {
-    return entries[static_cast<std::size_t>(row) * size + column];
-  }
+  int size() const { return static_cast<int>(rows.size()); }
 };
 
 /// A closed gluing without finite vertices. Each unknown is the length of one edge, or of several that are to
@@ -49,7 +49,7 @@ public:
   std::vector<Scalar> equations(const hyperbolic::Metric<Scalar>& curvature) const;
   /// Minus the derivatives of the left sides by the unknowns, of tetrahedra that exist.
   template <class Scalar>
-  SquareMatrix<Scalar> hessian(const hyperbolic::Metric<Scalar>& lengths) const;
+  SparseRows<Scalar> hessian(const hyperbolic::Metric<Scalar>& lengths) const;
   /// The sum of the tetrahedra's volumes; nothing unless they exist.
   std::optional<numeric::Ball> volume(const hyperbolic::Metric<numeric::Ball>& lengths,
                                       const Progress& progress) const;

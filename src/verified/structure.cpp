@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 namespace tetrarch::verified {
 namespace {
@@ -24,24 +25,25 @@ constexpr int larger = 4;
 constexpr int bits_beside_volume = 32;
 constexpr const char* missing_tetrahedron = "a tetrahedron does not exist beyond doubt";
 
+using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
 /// -K'(m)^-1 in doubles; nothing where it is not finite.
-std::optional<SquareMatrix<double>> approximate_inverse(const EdgeSystem& system,
-                                                        const hyperbolic::Metric<double>& lengths) {
-  const SquareMatrix<double> h = system.hessian(lengths);
-  using Dense = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-  SquareMatrix<double> inverse(h.size);
-  if (h.size == 0) return inverse;
-  const Dense inverted = Eigen::Map<const Dense>(h.entries.data(), h.size, h.size).inverse();
-  if (!inverted.allFinite()) return std::nullopt;
-  Eigen::Map<Dense>(inverse.entries.data(), h.size, h.size) = inverted;
-  return inverse;
+std::optional<Matrix> approximate_inverse(const EdgeSystem& system,
+                                          const hyperbolic::Metric<double>& lengths) {
+  const SparseRows<double> h = system.hessian(lengths);
+  Matrix dense = Matrix::Zero(h.size(), h.size());
+  for (int i = 0; i < h.size(); ++i)
+    for (const auto& [j, value] : h.rows[i]) dense(i, j) = value;
+  if (h.size() > 0) dense = dense.inverse().eval();
+  if (!dense.allFinite()) return std::nullopt;
+  return dense;
 }
 
 /// Y times the left sides.
-std::vector<Ball> applied(const SquareMatrix<double>& y, const std::vector<Ball>& left) {
+std::vector<Ball> applied(const Matrix& y, const std::vector<Ball>& left) {
   std::vector<Ball> step(left.size(), Ball(0));
-  for (int i = 0; i < y.size; ++i)
-    for (int j = 0; j < y.size; ++j) step[i] += y(i, j) * left[j];
+  for (int i = 0; i < y.rows(); ++i)
+    for (int j = 0; j < y.cols(); ++j) step[i] += y(i, j) * left[j];
   return step;
 }
 
@@ -67,7 +69,7 @@ public:
     for (const EdgeId e : all<EdgeId>(start.size())) middle_[e] = start[e];
   }
 
-  Certification run(const SquareMatrix<double>& y, bool volume) {
+  Certification run(const Matrix& y, bool volume) {
     const auto step = last_step(y);
     if (!step) return {std::nullopt, missing_tetrahedron};
     const auto radius = smallest_radius(y, *step);
@@ -76,7 +78,7 @@ public:
   }
 
   /// The box of a zero that is the only one within `reach`, where no curvature changes by as much as 1.
-  std::optional<Lengths> run_alone(const SquareMatrix<double>& y, const Ball& reach) {
+  std::optional<Lengths> run_alone(const Matrix& y, const Ball& reach) {
     const auto step = last_step(y);
     if (!step || !maps_into_itself(y, *step, reach) || !(total_slope_ * reach < 1)) return std::nullopt;
     const auto radius = smallest_radius(y, *step);
@@ -86,16 +88,16 @@ public:
 
 private:
   /// Newton's step from the refined midpoints.
-  std::optional<std::vector<Ball>> last_step(const SquareMatrix<double>& y) {
+  std::optional<std::vector<Ball>> last_step(const Matrix& y) {
     if (!refine(y)) return std::nullopt;
     const auto k = system_.curvature(middle_);
     if (!k) return std::nullopt;
     return applied(y, system_.equations(*k));
   }
 
-  std::optional<Ball> smallest_radius(const SquareMatrix<double>& y, const std::vector<Ball>& step) {
+  std::optional<Ball> smallest_radius(const Matrix& y, const std::vector<Ball>& step) {
     Ball radius = exactly(2 * largest(step));
-    if (radius == Ball(0) && y.size > 0) radius = ldexp(Ball(1), -numeric::bits<Ball>());
+    if (radius == Ball(0) && y.rows() > 0) radius = ldexp(Ball(1), -numeric::bits<Ball>());
     for (int attempt = 0; attempt < radii; ++attempt, radius = ldexp(radius, larger)) {
       progress_.step("certifying");
       if (maps_into_itself(y, step, radius)) return radius;
@@ -104,7 +106,7 @@ private:
   }
 
   /// Moves the midpoints to within rounding of a zero, if there is one near by.
-  bool refine(const SquareMatrix<double>& y) {
+  bool refine(const Matrix& y) {
     const int bits = numeric::bits<Ball>();
     // From doubles: one step to leave their rounding behind, and one more for each 45 bits beyond them.
     const int steps = bits <= 53 ? 1 : 2 + (bits - 53) / bits_per_step;
@@ -130,23 +132,29 @@ private:
   }
 
   /// Krawczyk's test. That the tetrahedra exist on the box is tested with it.
-  bool maps_into_itself(const SquareMatrix<double>& y, const std::vector<Ball>& step, const Ball& radius) {
+  bool maps_into_itself(const Matrix& y, const std::vector<Ball>& step, const Ball& radius) {
     const Lengths lengths = box(radius);
     if (!system_.curvature(lengths)) return false;
-    const SquareMatrix<Ball> h = system_.hessian(lengths);
+    const SparseRows<Ball> h = system_.hessian(lengths);
     total_slope_ = 0;
-    for (const Ball& slope : h.entries) total_slope_ += abs(slope);
-    for (int i = 0; i < y.size; ++i) {
+    for (const auto& row : h.rows)
+      for (const auto& entry : row) total_slope_ += abs(entry.value);
+    for (int i = 0; i < h.size(); ++i) {
       progress_.step("certifying");
-      Ball row = 0;
-      for (int j = 0; j < y.size; ++j) {
-        Ball entry = i == j ? 1 : 0;
-        for (int k = 0; k < y.size; ++k) entry -= y(i, k) * h(k, j);
-        row += abs(entry);
-      }
-      if (!(abs(step[i]) + row * radius < radius)) return false;
+      if (!(abs(step[i]) + defect(y, h, i) * radius < radius)) return false;
     }
     return true;
+  }
+
+  /// The sum of the absolute values in a row of 1 - Y H.
+  static Ball defect(const Matrix& y, const SparseRows<Ball>& h, int i) {
+    std::vector<Ball> row(h.rows.size(), Ball(0));
+    row[i] = 1;
+    for (int k = 0; k < h.size(); ++k)
+      for (const auto& [j, value] : h.rows[k]) row[j] -= y(i, k) * value;
+    Ball sum = 0;
+    for (const Ball& entry : row) sum += abs(entry);
+    return sum;
   }
 
   /// With G(l) = V - 1/2 sum l K, dG = -1/2 sum K dl, and G is the volume at the structure, where K is 0.
@@ -202,6 +210,9 @@ Certification certify(const Triangulation& tri, const Skeleton& skeleton,
   require_found(tri, skeleton, found);
   const EdgeSystem system(skeleton);
   if (!system.is_square()) return {std::nullopt, "the identities of the cusps depend on each other"};
+  if (system.unknowns() > options.most_unknowns)
+    return {std::nullopt, "it has " + std::to_string(system.unknowns()) + " unknown lengths, and at most " +
+                              std::to_string(options.most_unknowns) + " are certified"};
   const auto y = approximate_inverse(system, found.lengths);
   if (!y) return {std::nullopt, "the equations are singular"};
   Certification last;
@@ -218,7 +229,7 @@ std::optional<hyperbolic::Metric<Ball>> solve_merged(const Skeleton& skeleton,
                                                      const hyperbolic::Metric<double>& start, double reach,
                                                      const Progress& progress) {
   const EdgeSystem system(skeleton, block);
-  if (system.has_cusps()) return std::nullopt;
+  if (system.has_cusps() || system.unknowns() > CertifyOptions{}.most_unknowns) return std::nullopt;
   std::vector<double> sum(static_cast<std::size_t>(system.unknowns()), 0);
   std::vector<int> count(sum.size(), 0);
   for (const EdgeId e : all<EdgeId>(start.size())) {

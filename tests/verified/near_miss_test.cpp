@@ -82,6 +82,16 @@ TEST_CASE("only what was solved is certified", "[verified]") {
   CHECK_THROWS_AS(verified::certify(good.tri, good.skeleton, failed), PreconditionError);
 }
 
+TEST_CASE("more unknown lengths than asked for are not certified, and that is said", "[verified]") {
+  verified::CertifyOptions options;
+  options.most_unknowns = 1; // of the knotted Y, which has one edge
+  CHECK(support::Certified("cPcbbbihq", options).result.proof);
+  options.most_unknowns = 0;
+  const auto refused = support::Certified("cPcbbbihq", options).result;
+  CHECK_FALSE(refused.proof);
+  CHECK(refused.why_not == "it has 1 unknown lengths, and at most 0 are certified");
+}
+
 TEST_CASE("digests are those of FIPS 180-4", "[verified]") {
   CHECK(verified::digest("abc") == "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
   CHECK(verified::digest("") == "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");

@@ -53,11 +53,13 @@ struct Certification {
 struct CertifyOptions {
   int bits = 53;
   int most_bits = 212;
-  bool volume = true; ///< enclose the volume, which takes most of the time; else it is 0
+  bool volume = true;       ///< enclose the volume, which takes most of the time; else it is 0
+  int most_unknowns = 1000; ///< of the lengths; beyond it certification fails at once, with that reason
 };
 
 /// Starts from a geometric structure that was found for this triangulation. Throws PreconditionError if it is
-/// none, or stale. Per attempt O(E^3), 0.3 ms for four tetrahedra.
+/// none, or stale. Per attempt O(E^2) in balls and O(E^3) in doubles; 0.3 ms for four tetrahedra, a second or
+/// two for a thousand.
 [[nodiscard]] Certification certify(const Triangulation& tri, const Skeleton& skeleton,
                                     const hyperbolic::Hyperbolization<double>& found,
                                     const CertifyOptions& options = {}, const Progress& progress = {});
