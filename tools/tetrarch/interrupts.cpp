@@ -7,6 +7,7 @@
 
 #include <array>
 #include <atomic>
+#include <chrono>
 #include <csignal>
 #include <cstdlib>
 #include <ctime>
@@ -92,7 +93,10 @@ private:
     sem_timedwait(&came, &until);
     format::remove_unfinished_files();
     if (terminal_) tcsetattr(STDIN_FILENO, TCSANOW, &*terminal_); // the editor of lines changed it
-    if (take_leave()) say_goodbye();
+    if (take_leave())
+      say_goodbye();
+    else
+      std::this_thread::sleep_for(std::chrono::nanoseconds(grace)); // the job is saying so, and ends the program
     std::_Exit(static_cast<int>(Status::interrupted));
   }
 
