@@ -85,6 +85,8 @@ def strike(program, job, number, moment, good):
             return f"left over: {left}" if left else None, over, took
         if names:
             return f"left over: {sorted(names)}", over, took
+        if struck.returncode == 130 and said == b"tetrarch: interrupted while files were written\n":
+            return None, over, took  # all of them, or none: see above
         if struck.returncode == 130 and (not old or said != b"tetrarch: interrupted; nothing was written\n"):
             return f"interrupted, but said {said!r}, old outputs: {old}", over, took
         if struck.returncode == -number and old:
