@@ -21,6 +21,7 @@ import unittest
 import unittest.mock
 from fractions import Fraction
 
+from census_runs_test import *  # noqa: F401,F403: a census on a full disk, under MPI, and of changed triangulations
 from diagrams_test import *  # noqa: F401,F403: knots, links and graphs in space
 from hex_test import *  # noqa: F401,F403: hexahedra of solids
 from hostile_test import *  # noqa: F401,F403: files and surroundings that mean no good
