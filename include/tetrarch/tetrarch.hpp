@@ -43,6 +43,7 @@
 #include "tetrarch/catalogue/graphs.hpp"
 #include "tetrarch/catalogue/manifold.hpp"
 #include "tetrarch/catalogue/prove.hpp"
+#include "tetrarch/catalogue/units.hpp"
 #include "tetrarch/catalogue/validate.hpp"
 #include "tetrarch/checker/check.hpp"
 #include "tetrarch/core/boundary.hpp"

@@ -46,6 +46,8 @@ Candidate settle(const std::string& gluing, bool angles, const Progress& progres
 
 /// Candidates as one line.
 std::string unit_text(std::span<const Candidate> unit);
+/// Whether a line that `unit_text` wrote has a gluing without structure and without a reason. It is not read.
+bool leaves_unknown(const std::string& text);
 /// Reads them back; nothing unless they are of just these gluings.
 std::optional<std::vector<Candidate>> read_unit(const std::string& text,
                                                 std::span<const std::string> signatures);

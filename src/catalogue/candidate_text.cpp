@@ -59,6 +59,10 @@ std::string unit_text(std::span<const Candidate> unit) {
   return list.dump();
 }
 
+bool leaves_unknown(const std::string& text) {
+  return text.find("\"structure\":\"unknown\"") != std::string::npos;
+}
+
 std::optional<std::vector<Candidate>> read_unit(const std::string& text,
                                                 std::span<const std::string> signatures) {
   std::vector<Candidate> unit;

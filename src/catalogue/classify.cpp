@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "candidate.hpp"
 
+#include "tetrarch/catalogue/units.hpp"
 #include "tetrarch/catalogue/validate.hpp"
 #include "tetrarch/core/error.hpp"
 #include "tetrarch/core/signature.hpp"
@@ -45,18 +46,34 @@ enumeration::GluingOptions qualifying_gluings(int tetrahedra) {
 
 using Unit = std::vector<Candidate>;
 
+bool has(const Share& share, int k) {
+  return k % share.count == share.index;
+}
+
 /// Units of one number of tetrahedra: done here, or taken from the records.
 class Workshop {
 public:
-  Workshop(int tetrahedra, const WorkOptions& options, const Progress& progress)
-      : tetrahedra_(tetrahedra), options_(options), progress_(progress),
-        gluings_(qualifying_gluings(tetrahedra), progress) {}
+  Workshop(int tetrahedra, const Progress& progress)
+      : tetrahedra_(tetrahedra), gluings_(qualifying_gluings(tetrahedra), progress) {}
+
+  int size() const { return gluings_.size(); }
+  std::string key(int k) const { return std::to_string(tetrahedra_) + "." + std::to_string(k); }
+  static std::string second_key(const std::string& key) { return key + ".no"; }
 
   /// All candidates; of units that are not there, and not for this share to do, none. They are counted.
-  std::vector<Candidate> candidates(int& missing) {
-    std::vector<std::optional<Unit>> units(static_cast<std::size_t>(gluings_.size()));
-    for_all("solving and canonizing", [&](int k) { units[k] = examined(k); });
-    for_all("looking again where there is no structure", [&](int k) { settle(k, units[k]); });
+  std::vector<Candidate> candidates(const WorkOptions& options, int& missing,
+                                    const Progress& progress) const {
+    std::vector<std::optional<Unit>> units(static_cast<std::size_t>(size()));
+    const auto for_all = [&](const char* stage, const auto& job) {
+      std::atomic<int> done{0};
+      numeric::parallel_for(size(), {options.threads}, [&](int k) {
+        job(k);
+        progress.step(stage, static_cast<double>(++done) / size());
+      });
+    };
+    for_all("solving and canonizing", [&](int k) { units[k] = examined(k, options, progress.silent()); });
+    for_all("looking again where there is no structure",
+            [&](int k) { settle(k, units[k], options, progress.silent()); });
     std::vector<Candidate> all;
     for (auto& unit : units) {
       missing += !unit;
@@ -65,19 +82,29 @@ public:
     return all;
   }
 
-private:
-  template <class Job>
-  void for_all(const char* stage, const Job& job) {
-    const int count = gluings_.size();
-    std::atomic<int> done{0};
-    numeric::parallel_for(count, {options_.threads}, [&](int k) {
-      job(k);
-      progress_.step(stage, static_cast<double>(++done) / count);
-    });
+  std::optional<Unit> examined(int k, const WorkOptions& options, const Progress& progress) const {
+    // To find the gluings of what others do would cost each of a thousand shares as much as all the gluings.
+    const bool is_kept = options.records.find && options.records.find(key(k)) != nullptr;
+    if (options.share && !has(*options.share, k) && !is_kept) return std::nullopt;
+    return made_once(k, key(k), signatures_of(k, progress), detail::examine, options, progress);
   }
 
-  std::vector<std::string> signatures_of(int k) const {
-    std::vector<std::string> signatures = gluings_.signatures(k, progress_.silent());
+  /// Puts what comes of a second look in the place of gluings without a structure.
+  void settle(int k, std::optional<Unit>& unit, const WorkOptions& options, const Progress& progress) const {
+    if (!unit) return;
+    std::vector<std::string> signatures;
+    for (const Candidate& c : *unit)
+      if (c.structure == Structure::unknown) signatures.push_back(c.signature);
+    auto settled = made_once(k, second_key(key(k)), signatures, detail::settle, options, progress);
+    if (!settled) return unit.reset();
+    auto next = settled->begin();
+    for (Candidate& c : *unit)
+      if (c.structure == Structure::unknown) c = std::move(*next++);
+  }
+
+private:
+  std::vector<std::string> signatures_of(int k, const Progress& progress) const {
+    std::vector<std::string> signatures = gluings_.signatures(k, progress);
     std::erase_if(signatures, [](const std::string& text) {
       return !has_geodesic_boundary(Skeleton(from_signature(text)));
     });
@@ -87,43 +114,23 @@ private:
   /// One candidate for each signature: kept from earlier, or made and kept. Nothing where that is for others.
   template <class Make>
   std::optional<Unit> made_once(int k, const std::string& key, const std::vector<std::string>& signatures,
-                                const Make& make) const {
+                                const Make& make, const WorkOptions& options,
+                                const Progress& progress) const {
     if (signatures.empty()) return Unit();
-    if (options_.records.find)
-      if (const std::string* text = options_.records.find(key))
+    if (options.records.find)
+      if (const std::string* text = options.records.find(key))
         if (auto kept = detail::read_unit(*text, signatures)) return kept;
-    if (!options_.share || k % options_.share->count != options_.share->index) return std::nullopt;
+    if (!options.share || !has(*options.share, k)) return std::nullopt;
     Unit made;
     for (const std::string& signature : signatures) {
-      made.push_back(make(signature, options_.angles, progress_.silent()));
-      progress_.silent().step({});
+      made.push_back(make(signature, options.angles, progress));
+      progress.step({});
     }
-    if (options_.records.keep) options_.records.keep(key, detail::unit_text(made));
+    if (options.records.keep) options.records.keep(key, detail::unit_text(made));
     return made;
   }
 
-  std::string key(int k) const { return std::to_string(tetrahedra_) + "." + std::to_string(k); }
-
-  std::optional<Unit> examined(int k) const {
-    return made_once(k, key(k), signatures_of(k), detail::examine);
-  }
-
-  /// Puts what comes of a second look in the place of gluings without a structure.
-  void settle(int k, std::optional<Unit>& unit) const {
-    if (!unit) return;
-    std::vector<std::string> signatures;
-    for (const Candidate& c : *unit)
-      if (c.structure == Structure::unknown) signatures.push_back(c.signature);
-    auto settled = made_once(k, key(k) + ".no", signatures, detail::settle);
-    if (!settled) return unit.reset();
-    auto next = settled->begin();
-    for (Candidate& c : *unit)
-      if (c.structure == Structure::unknown) c = std::move(*next++);
-  }
-
   int tetrahedra_;
-  const WorkOptions& options_;
-  const Progress& progress_;
   enumeration::GluingUnits gluings_;
 };
 
@@ -178,10 +185,10 @@ Classification classify_manifolds(int tetrahedra, const WorkOptions& options, co
   Classification out;
   std::set<std::string> known;
   for (int fewer = 1; fewer < tetrahedra; ++fewer)
-    for (const Candidate& c : Workshop(fewer, options, progress).candidates(out.missing_units))
+    for (const Candidate& c : Workshop(fewer, progress).candidates(options, out.missing_units, progress))
       if (c.has_cells) known.insert(c.manifold.canonical_signature);
   const std::vector<Candidate> candidates =
-      Workshop(tetrahedra, options, progress).candidates(out.missing_units);
+      Workshop(tetrahedra, progress).candidates(options, out.missing_units, progress);
   std::map<std::string, int> reasons;
   for (const Candidate& c : candidates) count(c, out, reasons);
   out.tally.stuck = static_cast<int>(out.stuck.size());
@@ -199,6 +206,53 @@ Classification classify_manifolds(int tetrahedra, const WorkOptions& options, co
   for (std::size_t k = 0; k < out.manifolds.size(); ++k)
     out.manifolds[k].name = name_prefix(tetrahedra) + std::to_string(k + 1);
   return out;
+}
+
+/// The long units come first, so that the short ones fill the end.
+struct ClassificationUnits::State {
+  State(int tetrahedra, bool with_angles, const Progress& progress) : angles(with_angles) {
+    for (int n = tetrahedra; n >= 1; --n) {
+      workshops.emplace_back(n, progress);
+      for (int k = 0; k < workshops.back().size(); ++k) units.emplace_back(tetrahedra - n, k);
+    }
+  }
+  bool angles;
+  std::vector<Workshop> workshops;
+  std::vector<std::pair<int, int>> units; ///< the workshop's number, and the unit's in it
+};
+
+ClassificationUnits::ClassificationUnits(int tetrahedra, bool angles, const Progress& progress) {
+  if (tetrahedra < 1) throw PreconditionError("a classification needs at least one tetrahedron");
+  state_ = std::make_unique<State>(tetrahedra, angles, progress);
+}
+
+ClassificationUnits::ClassificationUnits(ClassificationUnits&&) noexcept = default;
+ClassificationUnits& ClassificationUnits::operator=(ClassificationUnits&&) noexcept = default;
+ClassificationUnits::~ClassificationUnits() = default;
+
+int ClassificationUnits::size() const {
+  return static_cast<int>(state_->units.size());
+}
+
+bool ClassificationUnits::is_kept(int k, const UnitRecords& records) const {
+  const auto [n, unit] = state_->units.at(k);
+  const std::string key = state_->workshops[n].key(unit);
+  const std::string* first = records.find(key);
+  return first != nullptr && (!detail::leaves_unknown(*first) || records.find(Workshop::second_key(key)));
+}
+
+std::vector<std::pair<std::string, std::string>> ClassificationUnits::make(int k,
+                                                                           const Progress& progress) const {
+  const auto [n, unit] = state_->units.at(k);
+  std::vector<std::pair<std::string, std::string>> made;
+  WorkOptions options;
+  options.angles = state_->angles;
+  options.records.keep = [&made](const std::string& key, const std::string& text) {
+    made.emplace_back(key, text);
+  };
+  std::optional<Unit> candidates = state_->workshops[n].examined(unit, options, progress);
+  state_->workshops[n].settle(unit, candidates, options, progress);
+  return made;
 }
 
 Classification classify_manifolds(int tetrahedra, int threads, const Progress& progress) {

@@ -33,7 +33,7 @@ constexpr const char* schema =
     "NOT "
     "NULL, volume TEXT NOT NULL, volume_value REAL NOT NULL, boundary TEXT NOT NULL, cusps INTEGER NOT NULL, "
     "edges INTEGER NOT NULL, homology TEXT NOT NULL, cells TEXT NOT NULL, canonical_signature TEXT NOT NULL, "
-    "symmetries INTEGER NOT NULL);";
+    "symmetries INTEGER NOT NULL, symmetry_group TEXT, amphichiral INTEGER);";
 /// After the rows: an index that is built at once is smaller, and built sooner.
 constexpr const char* indexes =
     "CREATE UNIQUE INDEX by_name ON manifold (name);"
@@ -116,6 +116,7 @@ private:
 void insert(Statement& row, const Manifold& m) {
   const std::string boundary = list_text(m.boundary);
   const std::string cells = list_text(m.cells);
+  const Symmetry symmetry = symmetry_of(m);
   int at = 0;
   if (!m.name.empty()) row.bind(1, m.name);
   ++at;
@@ -130,6 +131,10 @@ void insert(Statement& row, const Manifold& m) {
   row.bind(++at, m.canonical_signature);
   row.bind(++at, m.symmetries);
   row.bind(++at, number_in(m.volume));
+  ++at;
+  if (!symmetry.group.empty()) row.bind(at, symmetry.group);
+  ++at;
+  if (symmetry.amphichiral) row.bind(at, static_cast<int>(*symmetry.amphichiral));
   row.step();
   row.reset();
 }
@@ -239,7 +244,8 @@ std::string database_of(const std::vector<Manifold>& manifolds) {
   connection.run("BEGIN");
   connection.run(schema);
   Statement row(connection, std::string("INSERT INTO manifold (") + columns +
-                                ", volume_value) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
+                                ", volume_value, symmetry_group, amphichiral) VALUES "
+                                "(?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
   for (const Manifold& m : manifolds) insert(row, m);
   connection.run(indexes);
   connection.run("COMMIT; ANALYZE;");

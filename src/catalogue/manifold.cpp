@@ -2,8 +2,10 @@
 #include "tetrarch/catalogue/manifold.hpp"
 
 #include "tables.hpp"
+#include "tetrarch/canonical/isometries.hpp"
 #include "tetrarch/catalogue/database.hpp"
 #include "tetrarch/core/error.hpp"
+#include "tetrarch/core/isomorphism.hpp"
 #include "tetrarch/core/signature.hpp"
 #include "tetrarch/numeric/real50.hpp"
 
@@ -11,6 +13,7 @@
 #include <array>
 #include <mutex>
 #include <nlohmann/json.hpp>
+#include <unordered_map>
 
 namespace tetrarch::catalogue {
 namespace {
@@ -110,15 +113,40 @@ std::vector<Manifold> read_lines(std::string_view text, const std::string& sourc
   return manifolds;
 }
 
-/// The line of a stored table that holds this member; empty if there is none. It is not parsed.
-std::string_view line_with(std::string_view table, const std::string& member) {
-  const std::size_t found = table.find(member);
-  if (found == std::string_view::npos) return {};
-  const std::size_t begin = table.rfind('\n', found) + 1;
-  std::string_view line = table.substr(begin, table.find('\n', found) - begin);
+/// The line of a table round this place, without what parts it from others. It is not parsed.
+std::string_view line_at(std::string_view table, std::size_t place) {
+  const std::size_t begin = table.rfind('\n', place) + 1;
+  std::string_view line = table.substr(begin, table.find('\n', place) - begin);
   while (line.starts_with(' ')) line.remove_prefix(1);
   if (line.ends_with(',')) line.remove_suffix(1);
   return line;
+}
+
+/// The line of a stored table that holds this member; empty if there is none.
+std::string_view line_with(std::string_view table, const std::string& member) {
+  const std::size_t found = table.find(member);
+  return found == std::string_view::npos ? std::string_view() : line_at(table, found);
+}
+
+/// A line of a compiled-in table.
+struct StoredLine {
+  int tetrahedra = 0;
+  std::string_view text;
+};
+using LinesBySignature = std::unordered_map<std::string_view, StoredLine>;
+
+/// By the signature of the canonical triangulation.
+LinesBySignature index_stored_lines() {
+  constexpr std::string_view member = "\"canonical_signature\":\"";
+  LinesBySignature lines;
+  for (const int n : stored_tables()) {
+    const std::string_view table = stored_table_text(n);
+    for (std::size_t at = table.find(member); at != std::string_view::npos; at = table.find(member, at)) {
+      at += member.size();
+      lines.emplace(table.substr(at, table.find('"', at) - at), StoredLine{n, line_at(table, at)});
+    }
+  }
+  return lines;
 }
 
 } // namespace
@@ -140,6 +168,14 @@ std::string Manifold::boundary_text() const {
   for (const int genus : boundary) text += (text.empty() ? "genus " : " + genus ") + std::to_string(genus);
   if (cusps > 0) text += " + " + std::to_string(cusps) + (cusps == 1 ? " cusp" : " cusps");
   return text;
+}
+
+Symmetry symmetry_of(const Manifold& m) {
+  const Triangulation tri = from_signature(m.canonical_signature);
+  const std::vector<Isomorphism> isometries = automorphisms(tri);
+  return {static_cast<int>(isometries.size()),
+          canonical::name_of_group(canonical::multiplication_table(isometries)),
+          canonical::is_amphichiral(tri, isometries)};
 }
 
 void sort_by_volume(std::vector<Manifold>& manifolds) {
@@ -272,11 +308,9 @@ std::optional<Manifold> find_by_name(std::string_view name) {
 }
 
 std::optional<Manifold> find_by_isometry_signature(std::string_view signature) {
-  for (const int n : stored_tables()) {
-    const std::string_view line =
-        line_with(stored_table_text(n), "\"canonical_signature\":\"" + std::string(signature) + "\"");
-    if (!line.empty()) return read_manifold(line, n);
-  }
+  static const LinesBySignature lines = index_stored_lines();
+  const auto found = lines.find(signature);
+  if (found != lines.end()) return read_manifold(found->second.text, found->second.tetrahedra);
   return installed_database() != nullptr ? installed_database()->by_isometry_signature(signature)
                                          : std::nullopt;
 }

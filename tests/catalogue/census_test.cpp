@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include "tetrarch/catalogue/units.hpp"
 #include "tetrarch/catalogue/validate.hpp"
 
 #include "tetrarch/algebra/homology.hpp"
@@ -81,8 +82,8 @@ TEST_CASE("the classification gives the stored bytes again, with one thread and 
 
 namespace {
 
-/// Units of one to three tetrahedra that hold a gluing with geodesic boundary, of every `of`-th one.
-int units_with_gluings(int first, int of) {
+/// Units of one to three tetrahedra, of every `of`-th one.
+int units_of_three(int first, int of) {
   int count = 0;
   for (const int n : {1, 2, 3}) {
     enumeration::GluingOptions options;
@@ -90,19 +91,28 @@ int units_with_gluings(int first, int of) {
     options.orientability = enumeration::GluingOptions::Orientability::orientable;
     options.links = enumeration::LinkSet{{1, 2, 3}, {}};
     options.min_valence = 3;
-    const enumeration::GluingUnits units(options);
-    for (int k = first; k < units.size(); k += of) {
-      const std::vector<std::string> gluings = units.signatures(k);
-      count += std::any_of(gluings.begin(), gluings.end(), [](const std::string& text) {
-        const Skeleton skeleton(from_signature(text));
-        for (const VertexId v : all<VertexId>(skeleton.vertex_count()))
-          if (skeleton.link(v).genus() > 1) return true;
-        return false;
-      });
-    }
+    count += (enumeration::GluingUnits(options).size() - first + of - 1) / of;
   }
   return count;
 }
+
+/// Records in memory, and whoever makes units may use them.
+struct Kept {
+  std::map<std::string, std::string> texts;
+  std::mutex mutex;
+
+  UnitRecords records() {
+    return {[this](const std::string& key) -> const std::string* {
+              const std::lock_guard lock(mutex);
+              const auto found = texts.find(key);
+              return found == texts.end() ? nullptr : &found->second;
+            },
+            [this](const std::string& key, const std::string& text) {
+              const std::lock_guard lock(mutex);
+              texts[key] = text;
+            }};
+  }
+};
 
 } // namespace
 
@@ -120,20 +130,12 @@ TEST_CASE("every gluing of three tetrahedra is settled", "[census]") {
 }
 
 TEST_CASE("units that were kept, shared out and put together make the same table", "[census]") {
-  std::map<std::string, std::string> kept;
-  std::mutex mutex;
+  Kept all;
+  std::map<std::string, std::string>& kept = all.texts;
   WorkOptions how;
-  how.records.find = [&](const std::string& key) {
-    const std::lock_guard lock(mutex);
-    const auto found = kept.find(key);
-    return found == kept.end() ? nullptr : &found->second;
-  };
-  how.records.keep = [&](const std::string& key, const std::string& text) {
-    const std::lock_guard lock(mutex);
-    kept[key] = text;
-  };
+  how.records = all.records();
   how.share = Share{1, 2};
-  CHECK(classify_manifolds(3, how).missing_units == units_with_gluings(0, 2));
+  CHECK(classify_manifolds(3, how).missing_units == units_of_three(0, 2)); // whatever is in them
   const std::size_t half = kept.size();
   REQUIRE(half > 0);
   how.share.reset();
@@ -158,6 +160,37 @@ TEST_CASE("units that were kept, shared out and put together make the same table
   }
 }
 
+TEST_CASE("units that are made one by one, backwards, are the classification", "[census]") {
+  Kept all;
+  const UnitRecords records = all.records();
+  const ClassificationUnits units(3, true);
+  REQUIRE(units.size() == units_of_three(0, 1));
+  int without = 0;
+  for (int k = units.size() - 1; k >= 0; --k) {
+    REQUIRE_FALSE(units.is_kept(k, records));
+    const auto made = units.make(k);
+    for (const auto& [key, text] : made) records.keep(key, text);
+    without += made.empty();
+    REQUIRE(units.is_kept(k, records) == !made.empty());
+  }
+  CHECK(without < units.size());
+  WorkOptions how;
+  how.records = records;
+  how.share.reset(); // nothing is computed any more
+  CHECK(write_table(3, classify_manifolds(3, how).manifolds) == stored_table_text(3));
+  // A unit whose second look is missing is not kept.
+  const auto second = std::find_if(all.texts.begin(), all.texts.end(),
+                                   [](const auto& record) { return record.first.ends_with(".no"); });
+  REQUIRE(second != all.texts.end());
+  int before = 0;
+  int after = 0;
+  for (int k = 0; k < units.size(); ++k) before += units.is_kept(k, records);
+  all.texts.erase(second);
+  for (int k = 0; k < units.size(); ++k) after += units.is_kept(k, records);
+  CHECK(after == before - 1);
+  CHECK_THROWS_AS(ClassificationUnits(0, true), PreconditionError);
+}
+
 TEST_CASE("what is looked up is what the table holds", "[census]") {
   CHECK(stored_names().size() == 8 + 151 + 5033);
   for (const int n : {2, 3})
@@ -170,6 +203,23 @@ TEST_CASE("what is looked up is what the table holds", "[census]") {
     CHECK_FALSE(find_by_name(name));
   CHECK_FALSE(find_by_isometry_signature(""));
   CHECK_FALSE(find_by_isometry_signature("eLAkbcbdddhjh"));
+}
+
+TEST_CASE("the canonical triangulation tells the isometries", "[census]") {
+  std::map<std::pair<std::string, bool>, int> groups;
+  for (const int n : stored_tables())
+    for (const Manifold& m : stored_table(n)) {
+      const Symmetry symmetry = symmetry_of(m);
+      REQUIRE(symmetry.order == m.symmetries);
+      REQUIRE_FALSE(symmetry.group.empty());
+      if (n == 2) ++groups[{symmetry.group, *symmetry.amphichiral}];
+    }
+  // By hand, of two regular tetrahedra: the exterior of the knotted Y has the symmetries of the graph (D3).
+  CHECK(symmetry_of(*find_by_name("fmp2_8")).group == "D3");
+  CHECK(groups.at({"D3", false}) >= 1);
+  Manifold broken = stored_table(2).front();
+  broken.canonical_signature = "no signature";
+  CHECK_THROWS_AS(symmetry_of(broken), InputError);
 }
 
 TEST_CASE("one tetrahedron makes no manifold with geodesic boundary", "[census]") {

@@ -21,6 +21,7 @@ import unittest
 import unittest.mock
 from fractions import Fraction
 
+from census_runs_test import *  # noqa: F401,F403: a census on a full disk, under MPI, and of changed triangulations
 from diagrams_test import *  # noqa: F401,F403: knots, links and graphs in space
 from hex_test import *  # noqa: F401,F403: hexahedra of solids
 from hostile_test import *  # noqa: F401,F403: files and surroundings that mean no good
@@ -365,8 +366,16 @@ class Identify(unittest.TestCase):
             for entry, stored in zip(brief, run_json("census", "list")[1]["manifolds"]):
                 del stored["dihedral_angles"]
                 self.assertEqual(entry, stored)
-            self.assertEqual(run_json("census", "show", "fmp3_17", "--table", file)[1], brief[16])
-            self.assertEqual(run_json("census", "show", "fmp3_17", "--table", packed)[1], brief[16])
+            # One entry tells more than a list: what canonize says of the same manifold.
+            canonized = run_json("canonize", "fmp3_17")[1]
+            more = {key: canonized[key] for key in ("isometry_group", "amphichiral")}
+            for table in (file, packed):
+                self.assertEqual(run_json("census", "show", "fmp3_17", "--table", table)[1], {**brief[16], **more})
+            with contextlib.closing(sqlite3.connect(file)) as db:
+                self.assertEqual(db.execute("select symmetry_group, amphichiral from manifold where name = 'fmp3_17'").fetchall(),
+                                 [(more["isometry_group"], int(more["amphichiral"]))])
+                # An isometry that reverses orientation has an even order.
+                self.assertEqual(db.execute("select count(*) from manifold where amphichiral and symmetries % 2").fetchall(), [(0,)])
             self.assertEqual(run("census", "show", "fmp2_1", "--table", file).returncode, 2)
             self.assertEqual(run_json("census", "identify", "fmp3_17", "--table", file)[1]["name"], "fmp3_17")
             for bad in (("census", "table", lines, lines, "-o", os.path.join(folder, "x")), ("census", "table", file, "-o", file),

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "census.hpp"
 #include "command.hpp"
+#include "crew.hpp"
 #include "samples.hpp"
 #include "text.hpp"
 
@@ -17,7 +18,9 @@
 #include <filesystem>
 #include <functional>
 #include <limits>
+#include <map>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <system_error>
 
@@ -115,6 +118,24 @@ std::unique_ptr<format::Records> open_work(const std::string& folder, int tetrah
   return std::make_unique<format::Records>((std::filesystem::path(folder) / "records").string(), heading,
                                            how);
 }
+
+/// Records that nobody needs later.
+struct RecordsInMemory {
+  std::mutex mutex;
+  std::map<std::string, std::string> texts;
+
+  catalogue::UnitRecords both() {
+    return {[this](const std::string& key) -> const std::string* {
+              const std::lock_guard lock(mutex);
+              const auto found = texts.find(key);
+              return found == texts.end() ? nullptr : &found->second;
+            },
+            [this](const std::string& key, const std::string& text) {
+              const std::lock_guard lock(mutex);
+              texts.emplace(key, text);
+            }};
+  }
+};
 
 /// A few of the signatures; all are in the JSON.
 std::string some_of(const std::vector<catalogue::Unsettled>& list) {
@@ -246,13 +267,18 @@ Run declare_census_enumerate(OptionTable& table) {
     if (!options->share.empty()) how.share = share_in(options->share);
     if (options->work.empty() && (options->resume || !options->share.empty()))
       throw InputError(std::string(options->resume ? "--resume" : "--shard") + " needs --work");
+    if (crew() && !options->share.empty())
+      throw InputError("--shard is for machines that do not know of each other, and mpirun's do");
     std::unique_ptr<format::Records> records;
+    RecordsInMemory in_memory;
+    if (crew()) how.records = in_memory.both();
     if (!options->work.empty()) {
       records = open_work(options->work, options->tetrahedra, options->brief,
                           options->resume ? format::Records::Open::resume : format::Records::Open::fresh);
       how.records.find = [&](const std::string& key) { return records->find(key); };
       how.records.keep = [&](const std::string& key, const std::string& text) { records->add(key, text); };
     }
+    if (crew()) crew()(options->tetrahedra, how.angles, how.records, context.progress);
     const auto found = catalogue::classify_manifolds(options->tetrahedra, how, context.progress);
     Result result = classification_result(found, options->tetrahedra, options->output);
     if (records && records->damaged() > 0)

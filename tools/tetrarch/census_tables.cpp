@@ -110,6 +110,14 @@ private:
   std::optional<std::vector<Manifold>> own_table_;
 };
 
+/// "order 2: Z/2, chiral".
+std::string words_of(const catalogue::Symmetry& symmetry) {
+  std::string text = "order " + std::to_string(symmetry.order);
+  if (!symmetry.group.empty()) text += ": " + symmetry.group;
+  if (symmetry.amphichiral) text += *symmetry.amphichiral ? ", amphichiral" : ", chiral";
+  return text;
+}
+
 void add_table(OptionTable& table, std::string& path) {
   table
       .add("--table", path,
@@ -207,19 +215,21 @@ Run declare_census_show(OptionTable& table) {
     const auto found = Source(o->table).find(o->name);
     if (!found) throw InputError("no census manifold is called " + in_quotes(o->name));
     const Manifold& m = *found;
+    const catalogue::Symmetry symmetry = symmetry_of(m);
     Result result;
     result.json = manifold_json(m);
-    std::vector<std::pair<std::string, std::string>> rows{
-        {"name", m.name},
-        {"tetrahedra", std::to_string(m.tetrahedra)},
-        {"signature", m.signature},
-        {"volume", m.volume},
-        {"boundary", m.boundary_text()},
-        {"edge classes", std::to_string(m.edges)},
-        {"homology", m.homology},
-        {"canonical cells", joined(m.cells, ", ")},
-        {"isometry signature", m.canonical_signature},
-        {"isometry group", "order " + std::to_string(m.symmetries)}};
+    result.json["isometry_group"] = symmetry.group.empty() ? Json() : Json(symmetry.group);
+    result.json["amphichiral"] = symmetry.amphichiral ? Json(*symmetry.amphichiral) : Json();
+    std::vector<std::pair<std::string, std::string>> rows{{"name", m.name},
+                                                          {"tetrahedra", std::to_string(m.tetrahedra)},
+                                                          {"signature", m.signature},
+                                                          {"volume", m.volume},
+                                                          {"boundary", m.boundary_text()},
+                                                          {"edge classes", std::to_string(m.edges)},
+                                                          {"homology", m.homology},
+                                                          {"canonical cells", joined(m.cells, ", ")},
+                                                          {"isometry signature", m.canonical_signature},
+                                                          {"isometry group", words_of(symmetry)}};
     for (std::size_t t = 0; t < m.dihedral_angles.size(); ++t)
       for (int e = 0; e < 6; ++e)
         rows.emplace_back(e == 0 ? "angles " + std::to_string(t) : "", m.dihedral_angles[t][e]);

@@ -4,13 +4,15 @@
 /// Tables of manifolds in one SQLite file, for tables too long to be compiled in.
 ///
 ///     manifold: name | tetrahedra | signature | volume | volume_value | boundary | cusps | edges | homology
-///               | cells | canonical_signature | symmetries
+///               | cells | canonical_signature | symmetries | symmetry_group | amphichiral
 ///
 /// A row for each manifold, in the order of names. `volume` is the text of 30 digits, `volume_value` its
-/// nearest double; `boundary` and `cells` are JSON arrays; the others are as in census/README.md. Indexes lie
-/// on the name, the canonical signature, and volume, boundary and homology, each with the number of
-/// tetrahedra first. The file is made from census/*.json and census/*.jsonl.xz when the program is built, and
-/// anyone may read it: sqlite3 census.sqlite "select name from manifold where ...".
+/// nearest double; `boundary` and `cells` are JSON arrays; `symmetry_group` is the name of the isometry
+/// group, null where it has none; `amphichiral` is 1 if an isometry reverses orientation, null where there is
+/// no orientation; the others are as in census/README.md. Indexes lie on the name, the canonical signature,
+/// and volume, boundary and homology, each with the number of tetrahedra first. The file is made from
+/// census/*.json and census/*.jsonl.xz when the program is built, and anyone may read it: sqlite3
+/// census.sqlite "select name from manifold where ...".
 
 #include "tetrarch/catalogue/manifold.hpp"
 
@@ -60,7 +62,7 @@ private:
 };
 
 /// The bytes of such a file, in the order given. Names and canonical signatures must not repeat. Throws
-/// InputError. 10 microseconds and half a kilobyte for each manifold.
+/// InputError. 20 microseconds and half a kilobyte for each manifold.
 std::string database_of(const std::vector<Manifold>& manifolds);
 
 /// Whether there is a file that begins as SQLite's do.

@@ -46,6 +46,16 @@ std::string json_text(const Manifold& m);
 /// Reads it back. Throws InputError that says what is wrong.
 Manifold read_manifold(std::string_view text, int tetrahedra);
 
+/// The isometries of a manifold. Those of the manifold are the automorphisms of its canonical triangulation
+/// (canonical/canonize.hpp), so that a table need not hold them.
+struct Symmetry {
+  int order = 0;                   ///< isometries that reverse orientation included
+  std::string group;               ///< its name (canonical/isometries.hpp); empty: none of those known
+  std::optional<bool> amphichiral; ///< one of them reverses orientation; nothing: there is no orientation
+};
+/// Read off `m.canonical_signature`, in some 20 microseconds. Throws InputError if that is no signature.
+Symmetry symmetry_of(const Manifold& m);
+
 /// What names of that many tetrahedra begin with: "fmp4_" up to four, which Frigerio, Martelli and Petronio
 /// counted, "tet5_" from five on. Then comes the place in the table, from 1.
 std::string name_prefix(int tetrahedra);
@@ -85,7 +95,8 @@ std::vector<std::string> stored_names();
 /// Looks a name up in the compiled-in tables, then in `installed_database()`. Parses one line; a tenth of a
 /// millisecond.
 std::optional<Manifold> find_by_name(std::string_view name);
-/// The same by the signature of the canonical triangulation.
+/// The same by the signature of the canonical triangulation. By an index, which the first call makes in some
+/// milliseconds.
 std::optional<Manifold> find_by_isometry_signature(std::string_view signature);
 
 } // namespace tetrarch::catalogue
