@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "tetrarch/hex/deviation.hpp"
 
+#include "samples.hpp"
 #include "tetrarch/hex/layers.hpp"
 #include "tetrarch/numeric/nearest_triangle.hpp"
 
@@ -18,6 +19,9 @@ using namespace numeric;
 using Triangles = std::vector<std::array<Point, 3>>;
 
 constexpr int parts = 4; // of a square's side
+/// Of a triangle's side: more than there can be, as the spacing is a thousandth of the box's diagonal at
+/// least.
+constexpr int most_parts = 2000;
 
 /// Points of the squares, row by row, and triangles between them.
 struct Sampled {
@@ -88,16 +92,9 @@ Deviation deviation(std::vector<std::array<Point, 3>> boundary, const product::H
     greatest = d;
     at = p;
   };
-  for (const auto& t : boundary) {
-    const double longest = std::max({distance(t[0], t[1]), distance(t[1], t[2]), distance(t[2], t[0])});
-    const int n = std::max(1, static_cast<int>(std::ceil(longest / spacing)));
-    for (int i = 0; i <= n; ++i)
-      for (int j = 0; i + j <= n; ++j) {
-        const double u = i / static_cast<double>(n);
-        const double v = j / static_cast<double>(n);
-        measure(of_hexahedra, (1 - u - v) * t[0] + u * t[1] + v * t[2], result.from_solid, result.solid_at);
-      }
-  }
+  for (const auto& t : boundary)
+    for (const Point& p : spread_points(t, spacing, most_parts))
+      measure(of_hexahedra, p, result.from_solid, result.solid_at);
   const NearestTriangle of_solid(std::move(boundary));
   for (const Point& p : hexahedra.points) measure(of_solid, p, result.from_hexahedra, result.hexahedra_at);
   return result;

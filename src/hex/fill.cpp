@@ -10,9 +10,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <cstdio>
-#include <cstdlib>
-#include <ctime>
 #include <utility>
 #include <vector>
 
@@ -43,6 +40,15 @@ double area_of(const product::Solid& solid) {
   }
   return area;
 }
+
+struct Extent {
+  explicit Extent(const product::Solid& solid) : volume(product::volume(solid)), area(area_of(solid)) {}
+
+  double cells(double edge) const { return volume / (edge * edge * edge) + area / (edge * edge); }
+
+  double volume = 0;
+  double area = 0;
+};
 
 /// A mesh and where its points belong.
 struct Fitted {
@@ -226,17 +232,18 @@ bool Filling::is_good(const FillOptions& options) const {
   return quality.minimum >= content && intolerable(*this, options) == 0;
 }
 
+double cells_for(const product::Solid& solid, double edge) {
+  return Extent(solid).cells(edge);
+}
+
 double edge_for(const product::Solid& solid, std::int64_t cells) {
-  // Those inside, and a layer: V / h^3 + A / h^2 = n, by halving.
-  const double volume = product::volume(solid);
-  const double area = area_of(solid);
-  const auto count = [&](double h) { return volume / (h * h * h) + area / (h * h); };
+  const Extent extent(solid);
   double low = 0;
-  double high = std::cbrt(volume) + std::sqrt(area);
+  double high = std::cbrt(extent.volume) + std::sqrt(extent.area);
   constexpr int halvings = 200;
   for (int k = 0; k < halvings; ++k) {
     const double middle = (low + high) / 2;
-    (count(middle) > static_cast<double>(cells) ? low : high) = middle;
+    (extent.cells(middle) > static_cast<double>(cells) ? low : high) = middle;
   }
   return high;
 }
@@ -245,32 +252,48 @@ double bytes_for_edge(const product::Solid& solid, double edge) {
   const auto [least, most] = box_of(solid.mesh.points);
   double cells = 1;
   for (std::size_t a = 0; a < 3; ++a) cells *= (most[a] - least[a]) / edge + 3;
-  const double hexahedra = product::volume(solid) / (edge * edge * edge) + area_of(solid) / (edge * edge);
   constexpr double for_cell = 16;
   constexpr double for_hexahedron = 3000;
-  return for_cell * cells + for_hexahedron * hexahedra;
+  return for_cell * cells + for_hexahedron * cells_for(solid, edge);
+}
+
+Search search(const product::Solid& solid, const FillOptions& options, const Progress& progress) {
+  double edge = options.edge ? *options.edge : edge_for(solid, options.cells.value_or(usual_cells));
+  const double finest = edge * finest_part;
+  const double most_cells = options.most_effort * cells_for(solid, edge);
+  double cells = 0;
+  Search result;
+  result.genus = product::genus(solid);
+  for (;; ++result.grids) {
+    if (result.grids > 0) {
+      result.ending = Ending::finest;
+      if (edge < finest) break;
+      result.ending = Ending::memory;
+      if (bytes_for_edge(solid, edge) > options.most_bytes) break;
+      result.ending = Ending::effort;
+      if (cells + cells_for(solid, edge) > most_cells) break;
+    }
+    cells += cells_for(solid, edge);
+    result.finest_edge = edge;
+    std::optional<Filling> found = filled_with(solid, edge, options, progress);
+    const double finer = found ? finer_part(*found, options) : coarsest_step;
+    if (found) {
+      found->refinements = result.grids;
+      if (!result.best || is_preferred(*found, *result.best, options)) result.best = std::move(found);
+      if (result.best->is_good(options)) {
+        result.ending = Ending::good;
+        ++result.grids;
+        break;
+      }
+    }
+    edge *= finer;
+  }
+  return result;
 }
 
 std::optional<Filling> fill(const product::Solid& solid, const FillOptions& options,
                             const Progress& progress) {
-  int refinements = 0;
-  double edge = options.edge ? *options.edge : edge_for(solid, options.cells.value_or(usual_cells));
-  const double finest = edge * finest_part;
-  std::optional<Filling> best;
-  while (true) {
-    std::optional<Filling> found = filled_with(solid, edge, options, progress);
-    if (found) {
-      found->refinements = refinements;
-      const double finer = finer_part(*found, options);
-      if (!best || is_preferred(*found, *best, options)) best = std::move(found);
-      if (best->is_good(options)) break;
-      edge *= finer;
-    } else
-      edge *= coarsest_step;
-    ++refinements;
-    if (edge < finest || bytes_for_edge(solid, edge) > options.most_bytes) break;
-  }
-  return best;
+  return search(solid, options, progress).best;
 }
 
 } // namespace tetrarch::hex

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "tetrarch/hex/reach.hpp"
 
+#include "samples.hpp"
 #include "tetrarch/hex/layers.hpp"
 
 #include <algorithm>
@@ -13,7 +14,7 @@ namespace {
 
 using namespace numeric;
 
-/// A triangle is cut into so many parts along a side at most.
+/// A triangle has so many parts along a side at most.
 constexpr int most_parts = 64;
 
 /// The weights of a triangle's corners at a point of it.
@@ -35,16 +36,9 @@ std::vector<SurfaceSample> surface_samples(const Targets& targets, double spacin
   const NearestTriangle& whole = targets.whole();
   for (int k = 0; k < whole.size(); ++k) {
     const auto& t = whole.corners(k);
-    const double longest = std::max({distance(t[0], t[1]), distance(t[1], t[2]), distance(t[2], t[0])});
-    const double wanted = std::ceil(longest / spacing);
-    const int n = wanted >= most_parts ? most_parts : std::max(1, static_cast<int>(wanted));
-    const double area = norm(cross(t[1] - t[0], t[2] - t[0])) / 2 / ((n + 1) * (n + 2) / 2.0);
-    for (int i = 0; i <= n; ++i)
-      for (int j = 0; i + j <= n; ++j) {
-        const double u = i / static_cast<double>(n);
-        const double v = j / static_cast<double>(n);
-        result.push_back({(1 - u - v) * t[0] + u * t[1] + v * t[2], whole.normal(k), area});
-      }
+    const std::vector<Point> points = spread_points(t, spacing, most_parts);
+    const double area = norm(cross(t[1] - t[0], t[2] - t[0])) / 2 / static_cast<double>(points.size());
+    for (const Point& p : points) result.push_back({p, whole.normal(k), area});
   }
   return result;
 }

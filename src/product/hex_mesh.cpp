@@ -41,7 +41,7 @@ std::array<Point, 8> HexMesh::corners(std::size_t hexahedron) const {
   return result;
 }
 
-double scaled_jacobian(const std::array<Point, 8>& corners) {
+double sampled_jacobian(const std::array<Point, 8>& corners) {
   std::array<std::array<Vector, 4>, 3> edge{};
   std::array<std::array<double, 4>, 3> length{};
   std::array<Vector, 3> axis{};
@@ -56,8 +56,12 @@ double scaled_jacobian(const std::array<Point, 8>& corners) {
   for (const auto& [x, y, z] : edges_at_corners)
     least = std::min(least, scaled_determinant(dot(edge[0][x], cross(edge[1][y], edge[2][z])),
                                                length[0][x] * length[1][y] * length[2][z]));
-  if (least > 0 && !is_positive_inside(corners)) return 0;
   return least;
+}
+
+double scaled_jacobian(const std::array<Point, 8>& corners) {
+  const double least = sampled_jacobian(corners);
+  return least > 0 && !is_positive_inside(corners) ? 0 : least;
 }
 
 double volume(const std::array<Point, 8>& corners) {

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "tetrarch/product/smooth.hpp"
-#include "tetrarch/numeric/vector.hpp"
 
+#include "hexahedron.hpp"
 #include "tetrarch/core/error.hpp"
+#include "tetrarch/numeric/vector.hpp"
+#include "tetrarch/product/hex_jacobian.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace tetrarch::product {
@@ -85,14 +89,19 @@ private:
   }
 
   /// The worst around a point; among tangled hexahedra, minus all that is lacking around it, or a hopeless
-  /// value where one becomes worse than the worst of all.
-  double score(int v) const {
+  /// value where one becomes worse than the worst of all. A value that is no greater than `floor` may be any
+  /// such: most places that are tried are given up at the first hexahedron, before its inside is looked at.
+  double score(int v, double floor = -std::numeric_limits<double>::infinity()) const {
     double least = 1;
     double lacking = 0;
     for (const auto& [h, corner] : around_[v]) {
-      const double j = scaled_jacobian(mesh_.corners(h));
+      const std::array<Point, 8> corners = mesh_.corners(h);
+      double j = sampled_jacobian(corners);
+      if (!is_tangled_ && j <= floor) return j;
+      if (j > 0 && !is_positive_inside(corners)) j = 0;
       least = std::min(least, j);
       lacking += std::max(0.0, untangled - j);
+      if ((is_tangled_ ? -lacking : least) <= floor) return is_tangled_ ? -lacking : least;
     }
     if (!is_tangled_) return least;
     return least < lowest_ ? -9.0 * static_cast<double>(around_[v].size()) : -lacking;
@@ -102,7 +111,7 @@ private:
   bool try_step(int v, const Vector& step, double& now) {
     const Point before = mesh_.points[v];
     mesh_.points[v] = options_.brought_back ? options_.brought_back(v, before + step) : before + step;
-    const double there = score(v);
+    const double there = score(v, now + options_.least_gain);
     if (there > now + options_.least_gain) {
       now = there;
       return true;

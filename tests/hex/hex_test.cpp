@@ -254,6 +254,44 @@ TEST_CASE("what no grid fits is not filled, and a stop is heeded", "[hex]") {
   CHECK_THROWS_AS(fill(box_solid(), {}, Progress({}, stop.get_token())), Stopped);
 }
 
+TEST_CASE("a search ends within its means, and tells how", "[hex]") {
+  const Search box = search(box_solid(), {.cells = 200});
+  REQUIRE(box.best);
+  CHECK(box.ending == Ending::good);
+  CHECK(box.grids == 1);
+  CHECK(cells_for(box_solid(), 0.5) == Approx(6 / 0.125 + 22 / 0.25));
+  CHECK(cells_for(box_solid(), edge_for(box_solid(), 200)) == Approx(200));
+
+  // The slanted plate, as good as without volume: each grid has 1 / 0.64 times the cells of the one before,
+  // 1 + 1.56 + 2.44 + 3.81 + 5.96 = 14.8 in all, and a sixth would have edges of 0.8^5 = 0.33 of the first.
+  auto thin = support::box({1, 1, 1e-6}, {2, 2, 1}, 0).mesh;
+  for (Point& p : thin.points) p = {p[0] - p[2], p[1] - p[2], 0.3 * p[0] + 0.4 * p[1] + p[2]};
+  const product::Solid plate = product::solid(thin);
+  const Search all = search(plate, {.edge = 0.2});
+  CHECK_FALSE(all.best);
+  CHECK(all.ending == Ending::finest);
+  CHECK(all.grids == 5);
+  CHECK(all.finest_edge == Approx(0.2 * 0.8 * 0.8 * 0.8 * 0.8));
+  const Search less = search(plate, {.edge = 0.2, .most_effort = 3});
+  CHECK(less.ending == Ending::effort);
+  CHECK(less.grids == 2);
+  const Search least = search(plate, {.edge = 0.2, .most_bytes = 1});
+  CHECK(least.ending == Ending::memory);
+  CHECK(least.grids == 1);
+}
+
+TEST_CASE("points of a long and narrow triangle are as many as its area asks for", "[hex]") {
+  const product::Solid needle = product::solid(support::box({40, 0.5, 0.5}, {1, 1, 1}, 0).mesh);
+  const Targets targets(needle, features(needle));
+  const std::vector<SurfaceSample> samples = surface_samples(targets, 1);
+  double area = 0;
+  for (const SurfaceSample& s : samples) area += s.area;
+  CHECK(area == Approx(80.5)); // 4 * 20 + 2 * 0.25
+  // Eight triangles of length 40.003: a row of 42 points along it, and the corner across. Four of a square's
+  // half.
+  CHECK(samples.size() == 8 * 43 + 4 * 3);
+}
+
 TEST_CASE("a limb thinner than the cells keeps a row of them", "[hex]") {
   // A cube of side 3 with a rod 0.4 thick and 3 long, which no cell of length 1 is half full of.
   std::set<std::array<int, 3>> cube;

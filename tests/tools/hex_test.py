@@ -105,6 +105,11 @@ class Hex(InFolder):
         self.assertEqual(made["ridges_of_solid"], 0)
         self.assertIn("the volume is", " ".join(made["doubts"]))
         self.assertIn("of the diagonal away at", " ".join(made["doubts"]))
+        # Nothing is good enough: grids get finer until sixteen times the wish is spent.
+        self.assertEqual(made["ended_by"], "effort")
+        self.assertGreater(made["grids"], 1)
+        self.assertIn("%d grids tried" % made["grids"], made["doubts"][-1])
+        self.assertIn("wish for more cells", made["doubts"][-1])
         self.assertTrue(os.path.exists(self.path("torus.vtu")))
 
     def test_bad_solids(self):
@@ -140,7 +145,8 @@ class Hex(InFolder):
         slanted = [[p[0], p[1], 0.001 * p[2] + 0.3 * p[0] + 0.2 * p[1]] for p in points]
         status, made = run_json("hex", self.solid("slanted.mesh", slanted, tetrahedra), "--edge", "0.5", "-o", self.path("none.vtu"))
         self.assertEqual((status, made["hexahedra"]), (4, 0))
-        self.assertIn("thinner than the cells", made["doubts"][0])
+        self.assertIn("genus 0: parts or gaps of it are thinner than the cells", made["doubts"][0])
+        self.assertIn("grids tried", made["doubts"][1])
         self.assertFalse(os.path.exists(self.path("none.vtu")))
 
     def test_few_tetrahedra(self):

@@ -102,9 +102,9 @@ Result run_hex(const Options& options, const Context& context) {
   result.text = block(rows_of(found));
   if (found.verdict() != workshop::Verdict::yes)
     result.warnings.push_back("the result is not to be relied on: " + joined(found.doubts(), "; "));
-  if (!found.filling) return result;
+  if (!found.search.best) return result;
   for (const std::string& path : options.outputs)
-    result.files.push_back({path, file_of(path, *found.filling, options.input)});
+    result.files.push_back({path, file_of(path, *found.search.best, options.input)});
   return result;
 }
 

@@ -34,6 +34,9 @@ struct FillOptions {
   double hausdorff_tolerance = 0.01;   ///< in terms of the diagonal of the solid's box
   /// No grid is made finer for which `bytes_for_edge` tells more.
   double most_bytes = std::numeric_limits<double>::infinity();
+  /// No grid is made finer if all grids together would have more hexahedra than so many times those of the
+  /// first, by `cells_for`. A count, so that the same comes out on each machine.
+  double most_effort = 16;
 };
 
 /// What `FillOptions::cells` is where nobody said.
@@ -57,13 +60,35 @@ struct Filling {
   bool is_good(const FillOptions& options) const;
 };
 
+/// Why no finer grid was tried.
+enum class Ending : std::uint8_t {
+  good,   ///< the result is good
+  finest, ///< edges would be shorter than a third of the first ones
+  effort, ///< `most_effort`
+  memory  ///< `most_bytes`
+};
+
+/// The best of some grids.
+struct Search {
+  std::optional<Filling> best{}; ///< none where no grid has the solid's genus
+  int genus = 0;                 ///< of the solid
+  int grids = 0;                 ///< tried
+  double finest_edge = 0;        ///< of the last one
+  Ending ending = Ending::good;
+};
+
+/// About how many hexahedra fill a solid with edges of this length: those inside, and a layer.
+double cells_for(const product::Solid& solid, double edge);
 /// The length of edges with which about so many hexahedra fill a solid.
 double edge_for(const product::Solid& solid, std::int64_t cells);
 /// Bytes that `fill` takes at most for edges of this length, roughly. In double, so that nothing overflows.
 double bytes_for_edge(const product::Solid& solid, double edge);
 
 /// Where the result is not good the grid is made finer, by a factor of 0.8 to 0.6 each time and 0.3 in all;
-/// the best result is kept. Nothing where no grid has the solid's genus. Throws Stopped.
+/// the best result is kept. Throws Stopped.
+[[nodiscard]] Search search(const product::Solid& solid, const FillOptions& options = {},
+                            const Progress& progress = {});
+/// The best result of `search`.
 [[nodiscard]] std::optional<Filling> fill(const product::Solid& solid, const FillOptions& options = {},
                                           const Progress& progress = {});
 

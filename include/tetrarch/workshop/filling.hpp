@@ -4,14 +4,13 @@
 /// Hexahedra that fill a solid: made, measured and described in one call.
 ///
 ///     const FilledSolid found = filled_solid(solid, {});
-///     if (found.verdict() == Verdict::yes) use(found.filling->mesh);
+///     if (found.verdict() == Verdict::yes) use(found.search.best->mesh);
 
 #include "tetrarch/core/progress.hpp"
 #include "tetrarch/hex/fill.hpp"
 #include "tetrarch/workshop/fields.hpp"
 #include "tetrarch/workshop/verdict.hpp"
 
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,7 +18,7 @@ namespace tetrarch::workshop {
 
 /// The hexahedra, or none where no grid fits. It owns all that it speaks of.
 struct FilledSolid {
-  std::optional<hex::Filling> filling;
+  hex::Search search;
   hex::FillOptions options;
   double seconds = 0;
 
