@@ -163,8 +163,8 @@ private:
     const std::array<Side, 3> c{corners[0], corners[1], corners[2]};
     if (c[0].triangle == c[1].triangle || c[1].triangle == c[2].triangle || c[0].triangle == c[2].triangle)
       return false;
-    // Counterclockwise around the vertex, which is number 3 of the tetrahedron, stand 0, 1, 2: corner c[k] lies
-    // between k and next(k).
+    // Counterclockwise around the vertex, which is number 3 of the tetrahedron, stand 0, 1, 2: corner c[k]
+    // lies between k and next(k).
     const int tet = tri_.add_tetrahedra();
     Triangle made{tet, {0, 1, 2}, {}, {}, {}};
     std::array<Side, 3> outer{};
@@ -198,8 +198,7 @@ private:
       const Triangle& t = torus_[c.triangle];
       const Side across = partner(s);
       const bool loop = t.vertex[last(c.side)] == vertex;
-      if (loop || t.vertex[next(c.side)] == vertex ||
-          torus_[across.triangle].vertex[across.side] == vertex)
+      if (loop || t.vertex[next(c.side)] == vertex || torus_[across.triangle].vertex[across.side] == vertex)
         continue;
       if (turn(s)) return true;
     }
@@ -260,9 +259,9 @@ private:
 
   Triangulation& tri_;
   Torus torus_;
-  std::vector<int> degree_;                 ///< of each vertex of the torus
-  std::vector<Side> at_;                    ///< one of its corners
-  std::set<std::pair<int, int>> queue_;     ///< (degree, vertex)
+  std::vector<int> degree_;             ///< of each vertex of the torus
+  std::vector<Side> at_;                ///< one of its corners
+  std::set<std::pair<int, int>> queue_; ///< (degree, vertex)
   SplitMix64 random_{1};
   int random_turns_ = 0;
 };
@@ -402,8 +401,7 @@ Triangulation filled(const Triangulation& tri, const CuspCurves& curves) {
   const auto cuts = cut_pieces(tri, skeleton);
   Triangulation out = finite_model(tri).tri;
   for (const VertexId v : all<VertexId>(skeleton.vertex_count()))
-    if (has_curve(skeleton, curves, v))
-      Layering(out, torus_at(tri, skeleton, v, curves, cuts)).close();
+    if (has_curve(skeleton, curves, v)) Layering(out, torus_at(tri, skeleton, v, curves, cuts)).close();
   return out;
 }
 

@@ -52,9 +52,10 @@ format::Document with_fillings(format::Document document, std::string_view text,
 void require_filled(const format::Document& document, const std::string& source) {
   for (const auto& entry : document.passed_over.entries())
     if (is_filling(entry))
-      throw InputError({source, 0}, entry.what.substr(0, entry.what.find(", which")) +
-                                        " is not carried out (expected a SnapPea file with peripheral curves, "
-                                        "and coprime integers as slope)");
+      throw InputError({source, 0},
+                       entry.what.substr(0, entry.what.find(", which")) +
+                           " is not carried out (expected a SnapPea file with peripheral curves, "
+                           "and coprime integers as slope)");
 }
 
 } // namespace tetrarch::workshop

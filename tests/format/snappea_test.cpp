@@ -126,8 +126,8 @@ TEST_CASE("a Dehn filling is not lost in silence", "[snappea]") {
   CHECK(fillings.curves[0][0] == std::array<std::int64_t, 4>{0, 1, -3, 2});
   CHECK(fillings.curves[0][2] == std::array<std::int64_t, 4>{0, 0, 0, 0}); // the other cusp
   for (const char* slope : {"2.5", "3e9"}) { // a cone manifold; what nobody means
-    const DehnFillings none = read_dehn_fillings(
-        with(read_file(data("tri/kernel_filled.tri")), "2.000000000000", slope), "f");
+    const DehnFillings none =
+        read_dehn_fillings(with(read_file(data("tri/kernel_filled.tri")), "2.000000000000", slope), "f");
     CHECK(none.curves.empty());
     CHECK(none.named.empty());
     CHECK(none.left.size() == 1);

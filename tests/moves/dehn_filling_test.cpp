@@ -22,7 +22,8 @@ namespace {
 
 using Flow = std::int64_t;
 
-/// The Whitehead link as SnapPea's kernel writes it, with this slope on its first cusp and that on its second.
+/// The Whitehead link as SnapPea's kernel writes it, with this slope on its first cusp and that on its
+/// second.
 format::Document whitehead(int m0, int l0, int m1 = 0, int l1 = 0) {
   std::string text =
       format::read_file(std::string(TETRARCH_SOURCE_DIR) + "/tests/data/format/tri/kernel_whitehead.tri");
@@ -39,8 +40,8 @@ Triangulation filled_link(int m0, int l0, int m1 = 0, int l1 = 0) {
   return filled(document.triangulation, document.fillings.curves);
 }
 
-/// A curve on the cusp of the figure-eight knot complement cPcbbbiht: so many meridians and longitudes, as the
-/// kernel chooses them there (Regina 7.3). Both bound as in the 3-sphere.
+/// A curve on the cusp of the figure-eight knot complement cPcbbbiht: so many meridians and longitudes, as
+/// the kernel chooses them there (Regina 7.3). Both bound as in the 3-sphere.
 CuspCurves on_figure_eight(Flow m, Flow l) {
   constexpr std::array<std::array<std::array<int, 16>, 2>, 2> curves{
       {{{{0, 0, 0, 0, 0, 0, -1, 1, 0, 0, 0, 0, 0, 0, 0, 0},
@@ -90,8 +91,8 @@ TEST_CASE("the meridian's filling is the 3-sphere", "[filling]") {
 }
 
 TEST_CASE("one cusp filled, the other stays", "[filling]") {
-  // The longitude of the file is the knot's with two meridians, so H1 = Z + Z/|p - 2 q| (Regina 7.3 says so of
-  // seven of them).
+  // The longitude of the file is the knot's with two meridians, so H1 = Z + Z/|p - 2 q| (Regina 7.3 says so
+  // of seven of them).
   for (int p = -7; p <= 7; ++p)
     for (int q = 0; q <= 5; ++q) {
       if (std::gcd(p, q) != 1) continue;
@@ -121,8 +122,7 @@ TEST_CASE("curves that are none, or too many, are refused", "[filling]") {
   const auto why = [](const CuspCurves& curves) { return why_not_fill(figure_eight(), curves).value_or(""); };
   CHECK(why(on_figure_eight(3, 1)).empty());
   CHECK(why(on_figure_eight(0, 0)).empty()); // no curve, nothing to fill
-  CHECK(why(on_figure_eight(4, 2)) ==
-        "a curve runs 2 times along another at vertex 0 of tetrahedron 0");
+  CHECK(why(on_figure_eight(4, 2)) == "a curve runs 2 times along another at vertex 0 of tetrahedron 0");
   CHECK(why({}) == "there are not as many entries as tetrahedra");
   CuspCurves curves = on_figure_eight(1, 0);
   curves[0][1][2] += 1;

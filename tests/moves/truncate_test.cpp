@@ -141,9 +141,9 @@ TEST_CASE("ideal vertices and real boundary go together", "[moves]") {
 TEST_CASE("several solids are converted each for itself", "[moves]") {
   // The exterior of the figure-eight knot, a ball, an ideal triangulation, a ball, and the exterior of the
   // trefoil knot, in one gluing.
-  const Triangulation parts[] = {
-      triangulation_of(exterior(named_link("figure eight").grid)), cubical_ball(3, 3, 3), knotted_y(),
-      cubical_ball(1, 1, 2), triangulation_of(exterior(named_link("trefoil").grid))};
+  const Triangulation parts[] = {triangulation_of(exterior(named_link("figure eight").grid)),
+                                 cubical_ball(3, 3, 3), knotted_y(), cubical_ball(1, 1, 2),
+                                 triangulation_of(exterior(named_link("trefoil").grid))};
   Triangulation all_parts;
   for (const Triangulation& part : parts) {
     const int first = all_parts.add_tetrahedra(part.size());

@@ -132,7 +132,7 @@ class Triangulations(Options):
         two = self.path("two.json", json.dumps({
             "format": "tetrarch-triangulation", "version": 1, "tetrahedra": 3,
             "gluings": [[[1, "0132"], [1, "1302"], [1, "1023"], [1, "2031"]],
-                        [[0, "0132"], [0, "2031"], [0, "1023"], [0, "1302"]], [None] * 4]}))
+                        [[0, "0132"], [0, "1302"], [0, "1023"], [0, "2031"]], [None] * 4]}))
         made = self.good("truncate", two)
         self.assertEqual((made["connected"], made["homology"], made["finite_vertices"]), (False, "Z", 1))
         self.assertEqual([b["type"] for b in made["boundary_map"]], ["sphere", "torus"])

@@ -14,8 +14,8 @@
 
 namespace tetrarch::workshop {
 
-/// `format::read_all`, where a name that `identify` knows may stand in place of a signature; what stands after
-/// it on its line is ignored as of a signature. Throws InputError as that does.
+/// `format::read_all`, where a name that `identify` knows may stand in place of a signature; what stands
+/// after it on its line is ignored as of a signature. Throws InputError as that does.
 format::Collection collection_in(std::string_view text, const std::string& source);
 
 } // namespace tetrarch::workshop

@@ -11,9 +11,9 @@
 
 namespace tetrarch::workshop {
 
-/// `document` was read from `text`. If that is a SnapPea file, its fillings along curves are carried out, and a
-/// warning says so. Others stay in the ledger of what was passed over. Throws InputError where a filling cannot
-/// be carried out: a Klein bottle cusp, a slope too long. Near-linear.
+/// `document` was read from `text`. If that is a SnapPea file, its fillings along curves are carried out, and
+/// a warning says so. Others stay in the ledger of what was passed over. Throws InputError where a filling
+/// cannot be carried out: a Klein bottle cusp, a slope too long. Near-linear.
 format::Document with_fillings(format::Document document, std::string_view text, const std::string& source,
                                const Progress& progress = {});
 
