@@ -101,15 +101,22 @@ Document read_signature_text(std::string_view word) {
   return document;
 }
 
-Collection read_signatures(std::string_view text, const std::string& source) {
-  Collection list;
+std::vector<ListedLine> listed_lines(std::string_view text) {
+  std::vector<ListedLine> lines;
   int number = 1;
   for (std::size_t at = 0; at < text.size(); ++number) {
     const std::size_t end = std::min(text.find_first_of("\r\n", at), text.size());
     const std::string_view line = trimmed(text.substr(at, end - at));
-    if (!line.empty() && line.front() != '#') list.elements.push_back(element_on(line, {source, number}));
+    if (!line.empty() && line.front() != '#') lines.push_back({number, line});
     at = end + (text.substr(end, 2) == "\r\n" ? 2 : 1);
   }
+  return lines;
+}
+
+Collection read_signatures(std::string_view text, const std::string& source) {
+  Collection list;
+  for (const ListedLine& line : listed_lines(text))
+    list.elements.push_back(element_on(line.text, {source, line.number}));
   return list;
 }
 

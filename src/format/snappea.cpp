@@ -8,7 +8,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
+#include <numeric>
 #include <span>
 
 namespace tetrarch::format {
@@ -63,32 +65,108 @@ void skip_solution(TextCursor& in) {
     in.number("the Chern-Simons invariant", false);
 }
 
-/// The cusps; returns how many there are. Fillings are passed over.
-std::int64_t read_cusps(TextCursor& in, Ledger& passed_over) {
-  const std::int64_t torus = in.integer("the number of torus cusps", 0, many);
-  const std::int64_t klein = in.integer("the number of Klein bottle cusps", 0, many);
-  for (std::int64_t c = 0; c < torus + klein; ++c) {
-    word(in, cusp_kinds, "torus or Klein, the kind of cusp " + std::to_string(c));
-    const double m = in.number("the filling of cusp " + std::to_string(c) + ", two numbers");
-    const double l = in.number("the filling of cusp " + std::to_string(c) + ", two numbers");
-    if (m != 0 || l != 0)
-      passed_over.note("Dehn filling (" + to_text(m) + "," + to_text(l) + ") of cusp " + std::to_string(c) +
-                       ", which is open here");
+/// A cusp's slope: 0, 0 of a complete one.
+struct Slope {
+  double meridians = 0;
+  double longitudes = 0;
+  bool is_complete() const { return meridians == 0 && longitudes == 0; }
+  std::string named(std::size_t cusp) const {
+    return std::string(dehn_filling) + " (" + to_text(meridians) + "," + to_text(longitudes) + ") of cusp " +
+           std::to_string(cusp);
   }
-  return torus + klein;
+};
+
+/// More turns than a curve has that anybody fills along; products with curves stay far from overflow.
+constexpr double most_turns = 100'000;
+
+/// Whether a manifold is meant, not a cone manifold.
+bool is_curve(const Slope& slope) {
+  const auto whole = [](double x) { return std::abs(x) <= most_turns && x == std::floor(x); };
+  return whole(slope.meridians) && whole(slope.longitudes) &&
+         std::gcd(static_cast<int>(slope.meridians), static_cast<int>(slope.longitudes)) == 1;
 }
 
-/// What follows the gluings of one tetrahedron: checked, and not kept. True if a peripheral curve crosses it.
-bool skip_tetrahedron_data(TextCursor& in, std::int64_t cusps, const std::string& whose) {
-  // Where no cusp was stated, SnapPea finds them itself and the indices mean nothing.
-  const std::int64_t last_cusp = cusps > 0 ? cusps - 1 : many;
-  bool crossed = false;
-  for (int v = 0; v < 4; ++v) in.integer("a cusp index of " + whose, -1, last_cusp);
-  for (int k = 0; k < 64; ++k)
-    if (in.integer("64 integers, the peripheral curves of " + whose, -many, many) != 0) crossed = true;
-  for (int k = 0; k < 2; ++k) in.number("the shape of " + whose + ", two numbers", false);
-  return crossed;
+std::vector<Slope> read_cusps(TextCursor& in) {
+  const std::int64_t torus = in.integer("the number of torus cusps", 0, many);
+  const std::int64_t klein = in.integer("the number of Klein bottle cusps", 0, many);
+  std::vector<Slope> slopes;
+  for (std::int64_t c = 0; c < torus + klein; ++c) {
+    word(in, cusp_kinds, "torus or Klein, the kind of cusp " + std::to_string(c));
+    Slope& slope = slopes.emplace_back();
+    slope.meridians = in.number("the filling of cusp " + std::to_string(c) + ", two numbers");
+    slope.longitudes = in.number("the filling of cusp " + std::to_string(c) + ", two numbers");
+  }
+  return slopes;
 }
+
+/// What follows the gluings of one tetrahedron, as far as it is kept.
+struct TetrahedronData {
+  std::array<std::int64_t, 4> cusp{};
+  /// Meridian and longitude, at each vertex across each face, on both sheets together.
+  std::array<std::array<std::array<std::int64_t, 4>, 4>, 2> curve{};
+};
+
+TetrahedronData read_tetrahedron_data(TextCursor& in, std::size_t cusps, const std::string& whose) {
+  // Where no cusp was stated, SnapPea finds them itself and the indices mean nothing.
+  const std::int64_t last_cusp = cusps > 0 ? static_cast<std::int64_t>(cusps) - 1 : many;
+  TetrahedronData data;
+  for (std::int64_t& cusp : data.cusp) cusp = in.integer("a cusp index of " + whose, -1, last_cusp);
+  for (auto& curve : data.curve)
+    for (int sheet = 0; sheet < 2; ++sheet)
+      for (auto& corner : curve)
+        for (std::int64_t& crossings : corner)
+          crossings += in.integer("64 integers, the peripheral curves of " + whose, -many, many);
+  for (int k = 0; k < 2; ++k) in.number("the shape of " + whose + ", two numbers", false);
+  return data;
+}
+
+/// The peripheral curves, and the fillings made of them.
+class Curves {
+public:
+  explicit Curves(std::vector<Slope> slopes) : slopes_(std::move(slopes)), crossed_(slopes_.size(), false) {
+    for (const Slope& slope : slopes_) any_slope_ |= !slope.is_complete();
+  }
+
+  void add(const TetrahedronData& data) {
+    auto& made = any_slope_ ? fillings_.curves.emplace_back() : unused_;
+    for (int v = 0; v < 4; ++v)
+      for (int f = 0; f < 4; ++f) {
+        const std::int64_t m = data.curve[0][v][f];
+        const std::int64_t l = data.curve[1][v][f];
+        any_curve_ |= m != 0 || l != 0;
+        made[v][f] = 0;
+        if (data.cusp[v] < 0 || static_cast<std::size_t>(data.cusp[v]) >= slopes_.size()) continue;
+        const auto cusp = static_cast<std::size_t>(data.cusp[v]);
+        if (!is_curve(slopes_[cusp])) continue;
+        made[v][f] = static_cast<std::int64_t>(slopes_[cusp].meridians) * m +
+                     static_cast<std::int64_t>(slopes_[cusp].longitudes) * l;
+        if (made[v][f] != 0) crossed_[cusp] = true;
+      }
+  }
+
+  void note_in(Ledger& passed_over) const {
+    for (std::size_t c = 0; c < slopes_.size(); ++c)
+      if (!slopes_[c].is_complete()) passed_over.note(slopes_[c].named(c) + ", which is open here");
+    if (any_curve_) passed_over.note("peripheral curve", 2 * static_cast<std::int64_t>(slopes_.size()));
+  }
+
+  DehnFillings fillings() && {
+    for (std::size_t c = 0; c < slopes_.size(); ++c) {
+      if (slopes_[c].is_complete()) continue;
+      (crossed_[c] ? fillings_.named : fillings_.left).push_back(slopes_[c].named(c));
+    }
+    if (fillings_.named.empty()) fillings_.curves.clear();
+    return std::move(fillings_);
+  }
+
+private:
+  std::vector<Slope> slopes_;
+  std::vector<bool> crossed_; ///< by the curve that is filled along
+  bool any_slope_ = false;
+  bool any_curve_ = false;
+  DehnFillings fillings_;
+  std::array<std::array<std::int64_t, 4>, 4> unused_{};
+};
 
 std::vector<std::string> warnings_about(const Skeleton& skeleton) {
   std::vector<std::string> warnings;
@@ -130,9 +208,13 @@ std::string header_text(const std::string& name) {
   return text + "\nnot_attempted 0.0\nunknown_orientability\nCS_unknown\n0 0\n";
 }
 
-} // namespace
+/// Everything in the file; the document's ledger notes what is not in the document.
+struct Everything {
+  Document document;
+  DehnFillings fillings;
+};
 
-Document read_snappea(std::string_view text, const std::string& source) {
+Everything read_everything(std::string_view text, const std::string& source) {
   TextCursor in(text, source);
   const std::string expected_header = "\"" + std::string(snappea_header) + "\"";
   const std::string_view first = in.peek();
@@ -141,18 +223,29 @@ Document read_snappea(std::string_view text, const std::string& source) {
   Document document;
   document.name = read_name(in);
   skip_solution(in);
-  const std::int64_t cusps = read_cusps(in, document.passed_over);
+  std::vector<Slope> slopes = read_cusps(in);
+  const std::size_t cusps = slopes.size();
+  Curves curves(std::move(slopes));
   const std::int64_t tetrahedra = in.integer("the number of tetrahedra, at least 1", 1, many);
   GluingLines gluings(in);
-  bool has_curves = false;
   for (std::int64_t t = 0; t < tetrahedra; ++t) {
     gluings.read_one(tetrahedra);
-    if (skip_tetrahedron_data(in, cusps, "tetrahedron " + std::to_string(t))) has_curves = true;
+    curves.add(read_tetrahedron_data(in, cusps, "tetrahedron " + std::to_string(t)));
   }
-  if (has_curves) document.passed_over.note("peripheral curve", 2 * cusps);
+  curves.note_in(document.passed_over);
   if (!in.at_end()) in.fail_at(in.peek(), "the end after " + std::to_string(tetrahedra) + " tetrahedra");
   document.triangulation = gluings.checked();
-  return document;
+  return {std::move(document), std::move(curves).fillings()};
+}
+
+} // namespace
+
+Document read_snappea(std::string_view text, const std::string& source) {
+  return read_everything(text, source).document;
+}
+
+DehnFillings read_dehn_fillings(std::string_view text, const std::string& source) {
+  return read_everything(text, source).fillings;
 }
 
 Written write_snappea(const Document& document) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "tetrarch/workshop/element.hpp"
 
+#include "tetrarch/workshop/collection.hpp"
 #include "tetrarch/workshop/nearest.hpp"
 #include "tetrarch/workshop/text.hpp"
 
@@ -70,7 +71,7 @@ std::optional<FileElement> file_element(const std::string& argument, Locate loca
 }
 
 format::Collection read_collection(const std::string& path, Locate locate) {
-  return format::read_all(format::read_file(located(path, locate)), format::source_name(path));
+  return collection_in(format::read_file(located(path, locate)), format::source_name(path));
 }
 
 format::Document chosen(format::Collection collection, const std::string& element,

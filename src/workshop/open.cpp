@@ -15,6 +15,8 @@
 #include "tetrarch/identify/names.hpp"
 #include "tetrarch/mesh/fill.hpp"
 #include "tetrarch/mesh/tet_mesh.hpp"
+#include "tetrarch/workshop/collection.hpp"
+#include "tetrarch/workshop/dehn_fillings.hpp"
 #include "tetrarch/workshop/nearest.hpp"
 
 #include <optional>
@@ -106,7 +108,8 @@ format::Document spelled_out(const std::string& argument) {
 
 /// The exterior of the diagram that the text is, or the triangulation.
 format::Document gluings_of(std::string_view text, const std::string& source, const Progress& progress = {}) {
-  if (!diagram::looks_like_diagram(text)) return format::read_any(text, source);
+  if (!diagram::looks_like_diagram(text))
+    return with_fillings(format::the_only(collection_in(text, source), source), text, source, progress);
   return format::document_of(diagram::exterior(diagram::read_diagram(text, source), {}, progress));
 }
 

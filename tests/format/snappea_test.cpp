@@ -118,6 +118,20 @@ TEST_CASE("a Dehn filling is not lost in silence", "[snappea]") {
   const Document document = read_snappea(read_file(data("tri/kernel_filled.tri")), "f");
   CHECK(document.passed_over.sentence() ==
         "passed over: Dehn filling (1,2) of cusp 0, which is open here, peripheral curve (4)");
+  const DehnFillings fillings = read_dehn_fillings(read_file(data("tri/kernel_filled.tri")), "f");
+  CHECK(fillings.named == std::vector<std::string>{"Dehn filling (1,2) of cusp 0"});
+  CHECK(fillings.left.empty());
+  REQUIRE(fillings.curves.size() == 4);
+  // Meridian and twice the longitude, in the first tetrahedron at its first cusp: 0 1 -1 0 and 0 0 -1 1.
+  CHECK(fillings.curves[0][0] == std::array<std::int64_t, 4>{0, 1, -3, 2});
+  CHECK(fillings.curves[0][2] == std::array<std::int64_t, 4>{0, 0, 0, 0}); // the other cusp
+  for (const char* slope : {"2.5", "3e9"}) { // a cone manifold; what nobody means
+    const DehnFillings none =
+        read_dehn_fillings(with(read_file(data("tri/kernel_filled.tri")), "2.000000000000", slope), "f");
+    CHECK(none.curves.empty());
+    CHECK(none.named.empty());
+    CHECK(none.left.size() == 1);
+  }
   // A meridian and a longitude for each of two cusps; our own files leave them to SnapPea.
   CHECK(read_snappea(read_file(data("tri/kernel_whitehead.tri")), "f").passed_over.sentence() ==
         "passed over: peripheral curve (4)");

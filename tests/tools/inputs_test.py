@@ -45,6 +45,58 @@ class Names(InFolder):
         self.assertIn("warning: passed over: Dehn filling (5,1)", done.stderr)
 
 
+    def test_a_filled_manifold_is_not_answered_about_unfilled(self):
+        for command in ("hyperbolize", "canonize"):
+            done = run(command, "m004(5,1)")
+            self.assertEqual((done.returncode, done.stdout, done.stderr.count("\n")), (2, "", 1), command)
+            self.assertIn("Dehn filling (5,1) of cusp 0 is not carried out", done.stderr)
+        self.assertEqual(run("isometric", "m004", "m004(5,1)").returncode, 2)
+        self.assertEqual(run("census", "identify", "m004(5,1)").returncode, 2)
+        self.assertEqual(run("hyperbolize", "m004(0,0)").returncode, 0)
+
+
+class Fillings(InFolder):
+    FILLED = os.path.join(DATA, "tri/kernel_filled.tri")
+
+    def with_slope(self, slope):
+        with open(self.FILLED, encoding="utf-8") as file:
+            text = file.read()
+        return self.path("filled.tri", text.replace("torus   1.000000000000   2.000000000000", "torus " + slope))
+
+    def test_a_cusp_of_a_snappea_file_is_filled(self):
+        # The kernel's volume stands in the file, and it knows the manifold (Regina 7.3): m007.
+        status, found = run_json("hyperbolize", self.FILLED)
+        self.assertEqual(status, 0)
+        self.assertAlmostEqual(found["volume"], 2.56897060, 8)
+        self.assertEqual(run("isometric", self.FILLED, "m007").returncode, 0)
+        done = run("info", self.FILLED, "--json")
+        self.assertEqual(json.loads(done.stdout)["homology"], "Z + Z/3")
+        self.assertIn("Dehn filling (1,2) of cusp 0: carried out", done.stderr)
+        self.assertEqual([b["genus"] for b in json.loads(done.stdout)["boundary"]], [1])
+
+    def test_slopes_that_make_no_manifold_are_refused(self):
+        for slope in ("2 4", "1.5 1", "0 3"):
+            path = self.with_slope(slope)
+            self.assertEqual(run("hyperbolize", path).returncode, 2, slope)
+            self.assertEqual(run_json("info", path)[1]["passed_over"][0]["count"], 1)
+        self.assertEqual(run("hyperbolize", self.with_slope("0 0")).returncode, 0)
+
+    def test_klein_bottles_and_elements_are_not_filled(self):
+        gieseking = os.path.join(DATA, "tri/kernel_gieseking.tri")
+        with open(gieseking, encoding="utf-8") as file:
+            text = file.read().replace("Klein   0.0", "Klein   1.0")
+        done = run("hyperbolize", self.path("klein.tri", text))
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("Dehn filling (1,0) of cusp 0 cannot be carried out: there is no torus", done.stderr)
+        with open(self.FILLED, encoding="utf-8") as file:
+            text = file.read()
+        packet = self.path("packet.rga", '<?xml version="1.0"?>\n<regina engine="7.3"><snappeadata label="W">' + text +
+                           "</snappeadata></regina>")
+        self.assertEqual(run_json("info", packet + "#W")[1]["passed_over"][0]["what"],
+                         "Dehn filling (1,2) of cusp 0, which is open here")
+        self.assertEqual(run("hyperbolize", packet + "#W").returncode, 2)
+
+
 class Signatures(InFolder):
     def test_decorations_are_passed_over_aloud(self):
         for text in ("cPcbbbiht_BaCB", "cPcbbbiht_12"):
@@ -69,6 +121,17 @@ class Signatures(InFolder):
 
 
 class Elements(InFolder):
+    def test_a_list_of_names(self):
+        path = self.path("names.txt", "# some\nm004\r\n4_1\n\ncPcbbbihq the Y\nL(7,2) a lens space\nm0005\n")
+        lines = run("info", path + "#*", "--json").stdout.splitlines()
+        self.assertEqual([json.loads(line)["name"] for line in lines], ["figure-eight knot complement (m004)", "4_1", "the Y", "L(7,2)"])
+        self.assertEqual(run("isometric", path + "#1", path + "#2").returncode, 0)
+        for name, text in (("plain", "m004\nm015\n"), ("one.txt", "m004\n")):
+            self.assertEqual(run_json("info", self.path(name, text) + "#1")[1]["signature"], "cPcbbbiht")
+        self.assertEqual(run("info", "-", stdin="m015\n").returncode, 0)
+        self.assertIn("expected one: say which", run("info", self.path("plain", "m004\nm015\n")).stderr)
+        self.assertIn("m005", run("info", path + "#5").stderr)  # no such name
+
     def list(self):
         return self.path("two.sig", "cPcbbbiht the knot\ncPcbbbihq\n")
 

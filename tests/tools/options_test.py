@@ -127,6 +127,17 @@ class Triangulations(Options):
         self.assertIsNone(filled["boundary_map"][0]["vertex"])
         self.assertIsNotNone(kept["boundary_map"][0]["vertex"])
 
+    def test_several_components_truncated(self):
+        # The figure-eight knot complement, and a tetrahedron, which becomes a 3-sphere.
+        two = self.path("two.json", json.dumps({
+            "format": "tetrarch-triangulation", "version": 1, "tetrahedra": 3,
+            "gluings": [[[1, "0132"], [1, "1302"], [1, "1023"], [1, "2031"]],
+                        [[0, "0132"], [0, "1302"], [0, "1023"], [0, "2031"]], [None] * 4]}))
+        made = self.good("truncate", two)
+        self.assertEqual((made["connected"], made["homology"], made["finite_vertices"]), (False, "Z", 1))
+        self.assertEqual([b["type"] for b in made["boundary_map"]], ["sphere", "torus"])
+        self.assertEqual([b["vertex"] is None for b in made["boundary_map"]], [True, False])
+
     def test_an_inverted_tetrahedron_mended(self):
         with open(KNOTTED_Y, encoding="utf-8") as file:
             lines = file.read().split("\n")

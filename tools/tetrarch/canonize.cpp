@@ -6,6 +6,7 @@
 
 #include "tetrarch/format/json.hpp"
 #include "tetrarch/workshop/canonical.hpp"
+#include "tetrarch/workshop/dehn_fillings.hpp"
 #include "tetrarch/workshop/diagram.hpp"
 #include "tetrarch/workshop/pair.hpp"
 
@@ -27,6 +28,7 @@ Result canonize(const Options& options, const Context& context) {
   how.seed = context.seed;
   const format::Document document = read_triangulation(input, context);
   require_manifold(document.triangulation, input);
+  workshop::require_filled(document, input);
   const workshop::Cells found = workshop::cells(document.triangulation, how, context.progress);
   Result result;
   result.warnings = document.warnings;
@@ -72,8 +74,10 @@ Result isometric(const IsometricOptions& options, const Context& context) {
   const auto& [x, y, unused] = options;
   const format::Document given_x = read_triangulation(x, context);
   require_manifold(given_x.triangulation, x);
+  workshop::require_filled(given_x, x);
   const format::Document given_y = read_triangulation(y, context);
   require_manifold(given_y.triangulation, y);
+  workshop::require_filled(given_y, y);
   workshop::CanonicalOptions how;
   how.seed = context.seed;
   const workshop::Isometry found =

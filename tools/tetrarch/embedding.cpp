@@ -7,6 +7,7 @@
 #include "tetrarch/core/error.hpp"
 #include "tetrarch/core/signature.hpp"
 #include "tetrarch/hyperbolic/search.hpp"
+#include "tetrarch/workshop/dehn_fillings.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -45,6 +46,7 @@ Embedding embedded(const std::string& input, double cusp_area, const Context& co
   if (!(cusp_area > 0)) throw InputError("--cusp-area " + fixed(cusp_area, 3) + ": expected a positive area");
   format::Document document = read_triangulation(input, context);
   require_manifold(document.triangulation, input);
+  workshop::require_filled(document, input);
   Embedding e{std::move(document.triangulation), Skeleton(Triangulation()), std::move(document.name), {}, {},
               std::move(document.warnings)};
   if (e.name.empty()) e.name = input;

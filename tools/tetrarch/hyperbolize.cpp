@@ -8,6 +8,7 @@
 #include "tetrarch/core/error.hpp"
 #include "tetrarch/format/json.hpp"
 #include "tetrarch/format/text.hpp"
+#include "tetrarch/workshop/dehn_fillings.hpp"
 #include "tetrarch/workshop/structure.hpp"
 
 #include <memory>
@@ -75,6 +76,7 @@ Result hyperbolize(const Options& options, const Context& context) {
     throw InputError({options.output, 0}, "only JSON holds a metric (expected the extension .json)");
   format::Document document = read_marked_triangulation(options.input, context);
   require_manifold(document.triangulation, options.input);
+  workshop::require_filled(document, options.input);
   workshop::StructureOptions how;
   how.method = options.method == "flow" ? hyperbolic::Method::flow : hyperbolic::Method::newton;
   how.as_given = options.as_given;

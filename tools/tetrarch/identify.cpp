@@ -12,6 +12,7 @@
 #include "tetrarch/format/read.hpp"
 #include "tetrarch/format/text.hpp"
 #include "tetrarch/moves/subdivide.hpp"
+#include "tetrarch/workshop/dehn_fillings.hpp"
 #include "tetrarch/workshop/identify.hpp"
 
 #include <memory>
@@ -39,6 +40,7 @@ Result identify(const IdentifyOptions& options, const Context& context) {
   }
   const format::Document document = read_triangulation(input, context);
   require_manifold(document.triangulation, input);
+  workshop::require_filled(document, input);
   const identify::Identification found = identify::identify(document.triangulation, how, context.progress);
   Result result;
   result.warnings = document.warnings;

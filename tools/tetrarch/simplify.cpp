@@ -125,7 +125,6 @@ Json boundary_map(const moves::Truncation& made) {
 
 Result truncate(const Options& options, const Context& context) {
   Job run = prepare(options, context);
-  require_connected(run.input.triangulation, options.input);
   if (!options.log.empty()) run.simplify.log = &run.log;
   moves::TruncateOptions how;
   how.keep_spheres = options.keep_spheres;

@@ -17,6 +17,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace tetrarch::format {
 
@@ -26,6 +27,14 @@ bool is_signature_text(std::string_view word);
 /// The triangulation, its decoration and any filling noted in the ledger. Throws InputError without a place:
 /// for a signature as `from_signature` does, for a decoration that is none of the above. O(length).
 Document read_signature_text(std::string_view word);
+
+/// A line of such a list, without white space at its ends.
+struct ListedLine {
+  int number; ///< from 1
+  std::string_view text;
+};
+/// Without empty lines and comments. Lines end with a line feed, a carriage return or both. O(length).
+std::vector<ListedLine> listed_lines(std::string_view text);
 
 /// Splits "(1,2)(0,0)" from the end of a word and notes each filling but (0,0). What is left is given back,
 /// the whole word if its end is no row of fillings.

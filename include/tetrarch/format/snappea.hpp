@@ -25,8 +25,11 @@
 
 #include "tetrarch/format/document.hpp"
 
+#include <array>
+#include <cstdint>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace tetrarch::format {
 
@@ -38,6 +41,22 @@ inline constexpr std::string_view snappea_no_name = "unnamed";
 /// unfilled manifold. Throws InputError with the line where the text ends too early, is not as above, goes on
 /// after the last tetrahedron, or states gluings that cannot be. O(length).
 Document read_snappea(std::string_view text, const std::string& source);
+
+/// How a ledger's entry of a filling that was passed over begins.
+inline constexpr std::string_view dehn_filling = "Dehn filling";
+
+/// The Dehn fillings that a file states.
+struct DehnFillings {
+  /// Of each tetrahedron, vertex and face how often the curves that are to bound disks enter the truncation
+  /// triangle there, less how often they leave (moves/dehn_filling.hpp). No entries: there is no such curve.
+  std::vector<std::array<std::array<std::int64_t, 4>, 4>> curves;
+  std::vector<std::string> named; ///< those along these curves: "Dehn filling (1,2) of cusp 0"
+  /// Those that make no manifold: slopes that are no coprime integers, or a file without peripheral curves.
+  std::vector<std::string> left;
+};
+
+/// What `read_snappea` passes over of the same text; throws and costs as that does.
+DehnFillings read_dehn_fillings(std::string_view text, const std::string& source);
 
 /// The text, not solved, with no cusp stated: SnapPea finds them and chooses peripheral curves. Warns about
 /// each vertex link that is neither sphere, torus nor Klein bottle (SnapPy refuses such a file; Regina reads
