@@ -2,6 +2,7 @@
 #include "tetrarch/canonical/certify.hpp"
 
 #include "cell_shapes.hpp"
+#include "exact.hpp"
 #include "flatness.hpp"
 #include "merged.hpp"
 #include "tetrarch/canonical/decorated.hpp"
@@ -13,7 +14,7 @@ namespace tetrarch::canonical {
 using numeric::Ball;
 
 const char* to_string(Criterion criterion) {
-  constexpr std::array<const char*, 4> names{"tetrahedron", "R", "F", "B"};
+  constexpr std::array<const char*, 5> names{"tetrahedron", "R", "F", "B", "E"};
   return names[static_cast<std::size_t>(criterion)];
 }
 
@@ -42,11 +43,23 @@ bool prove_merged(const Triangulation& tri, const Skeleton& skeleton, const hype
   return true;
 }
 
+/// E for every cell that is no tetrahedron.
+bool prove_exactly(const Triangulation& tri, const Skeleton& skeleton, const FlatFaces& flat,
+                   const CellShapes& shapes, const Solvers& solvers, CellsProof& proof) {
+  const auto field = prove_flat_exactly(tri, skeleton, flat, solvers.precise, solvers.still_wanted);
+  if (!field) return false;
+  proof.field = *field;
+  proof.criteria.clear();
+  for (const CellShape& cell : shapes.cells)
+    proof.criteria.push_back(cell.tets.size() == 1 ? Criterion::tetrahedron : Criterion::exact);
+  return true;
+}
+
 } // namespace
 
 CellsProof certify_cells(const Triangulation& tri, const Skeleton& skeleton,
                          const hyperbolic::Metric<Ball>& lengths, const FlatFaces& flat,
-                         const MergedSolver& solver) {
+                         const Solvers& solvers) {
   CellsProof proof;
   const Decorated<Ball> m = decorate(tri, skeleton, lengths);
   std::optional<Ball> least_tilt;
@@ -54,8 +67,13 @@ CellsProof certify_cells(const Triangulation& tri, const Skeleton& skeleton,
   for (int t = 0; t < tri.size(); ++t)
     for (int f = 0; f < 4; ++f) {
       any_flat |= flat[t][f];
-      if (flat[t][f]) continue;
       const Ball tilt = look_across(m, {t, f}).tilt;
+      if (flat[t][f]) {
+        if (!(abs(tilt) > 0)) continue;
+        proof.why_not =
+            "face " + std::to_string(f) + " of tetrahedron " + std::to_string(t) + " is certainly not flat";
+        return proof;
+      }
       if (!(tilt > 0)) {
         proof.why_not =
             "face " + std::to_string(f) + " of tetrahedron " + std::to_string(t) + " is not certainly convex";
@@ -71,8 +89,10 @@ CellsProof certify_cells(const Triangulation& tri, const Skeleton& skeleton,
   }
   const CellShapes shapes = cell_shapes(tri, skeleton, flat);
   const int doubtful = prove_each(m, flat, shapes, proof.criteria);
-  proof.certified =
-      doubtful < 0 || (solver && prove_merged(tri, skeleton, lengths, flat, shapes, solver, proof.criteria));
+  proof.certified = doubtful < 0 ||
+                    (solvers.merged &&
+                     prove_merged(tri, skeleton, lengths, flat, shapes, solvers.merged, proof.criteria)) ||
+                    (solvers.precise && prove_exactly(tri, skeleton, flat, shapes, solvers, proof));
   if (!proof.certified) {
     proof.criteria.clear();
     proof.why_not = "cell " + std::to_string(doubtful) + " is flat to all digits, which is no proof";

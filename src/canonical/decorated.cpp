@@ -204,13 +204,13 @@ void set_cusp_areas(Decorated<Scalar>& m, const std::vector<int>& vertex, int ve
   template Decorated<Scalar> decorate(const Triangulation&, const Skeleton&,                                 \
                                       const hyperbolic::Metric<Scalar>&);                                    \
   template Across<Scalar> look_across(const Decorated<Scalar>&, TetFace);                                    \
+  template Scalar product_across(const Decorated<Scalar>&, TetFace, const Across<Scalar>&);                  \
   template void set_cusp_areas(Decorated<Scalar>&, const std::vector<int>&, int, const Scalar&);
 TETRARCH_FOR_EACH_FORMULA(TETRARCH_DECORATED)
 #undef TETRARCH_DECORATED
 
 #define TETRARCH_DECORATED(Scalar)                                                                           \
   template Scalar cone_volume(const Decorated<Scalar>&, int);                                                \
-  template Scalar product_across(const Decorated<Scalar>&, TetFace, const Across<Scalar>&);                  \
   template Decorated<Scalar> move(const Decorated<Scalar>&, const moves::Ball&, int, int, const Scalar&);
 TETRARCH_FOR_EACH_SCALAR(TETRARCH_DECORATED)
 #undef TETRARCH_DECORATED

@@ -13,17 +13,27 @@ void prove_cells(canonical::Canonical& c, const Progress& progress) {
     c.proof.why_not = "the structure was not found again";
     return;
   }
-  for (const int bits : {53, 212}) {
+  constexpr int most_bits = 212;
+  for (const int bits : {53, most_bits}) {
     const auto certified =
         verified::certify(c.triangulation, skeleton, structure, {bits, bits, false}, progress);
     c.proof = {};
     c.proof.why_not = "the structure is not certified: " + certified.why_not;
     if (!certified.proof) continue;
     const numeric::WorkingPrecision precision(bits);
-    const auto merged = [&](const Table<EdgeId, int>& block, double reach) {
+    canonical::Solvers solvers;
+    solvers.merged = [&](const Table<EdgeId, int>& block, double reach) {
       return verified::solve_merged(skeleton, block, structure.lengths, reach, progress);
     };
-    c.proof = canonical::certify_cells(c.triangulation, skeleton, certified.proof->lengths, c.flat, merged);
+    solvers.still_wanted = [&] { progress.step("proving"); };
+    if (bits == most_bits) // after all that is cheaper
+      solvers.precise = [&](int enough) -> std::optional<hyperbolic::Metric<numeric::Ball>> {
+        auto precise =
+            verified::certify(c.triangulation, skeleton, structure, {enough, enough, false}, progress);
+        if (!precise.proof) return std::nullopt;
+        return std::move(precise.proof->lengths);
+      };
+    c.proof = canonical::certify_cells(c.triangulation, skeleton, certified.proof->lengths, c.flat, solvers);
     if (c.proof.certified) return;
   }
 }

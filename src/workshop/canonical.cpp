@@ -444,7 +444,8 @@ const FieldList<Cells>& fields_of<Cells>() {
        [](C c) -> Tree { return c.canonical->proof.why_not; },
        is_not_proved},
       {{"criteria", "",
-        "what proves each cell: tetrahedron, or how it is proved flat (R: orbits, F: one line, B: blocks)"},
+        "what proves each cell: tetrahedron, or how it is proved flat (R: orbits, F: one line, B: blocks, E: "
+        "exact algebra)"},
        [](C c) { return criteria_of(c.canonical->proof); },
        is_proved},
       {{"tetrahedra", "", "number of tetrahedra of the subdivided cells"},

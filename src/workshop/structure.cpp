@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "tetrarch/workshop/structure.hpp"
 
+#include "cusp_rows.hpp"
 #include "orbifold_rows.hpp"
 #include "tetrarch/core/error.hpp"
 #include "tetrarch/core/signature.hpp"
@@ -101,21 +102,6 @@ bool into_a_cusp(const Skeleton& skeleton, const Table<VertexId, hyperbolic::Ver
   return types[p] == hyperbolic::VertexType::ideal || types[q] == hyperbolic::VertexType::ideal;
 }
 
-std::string describe(const hyperbolic::Cusp& cusp) {
-  const char* surface = cusp.orientable ? "torus, shape " : "Klein bottle, covered by a torus of shape ";
-  const std::string real = fixed(cusp.shape.real(), 10);
-  return surface + (real == "-0.0000000000" ? real.substr(1) : real) + " + " + fixed(cusp.shape.imag(), 10) +
-         " i";
-}
-
-Tree tree_of(const hyperbolic::Cusp& cusp) {
-  return {{"vertex", cusp.vertex.value},
-          {"type", cusp.orientable ? "torus" : "Klein bottle"},
-          {"shape", std::array{cusp.shape.real(), cusp.shape.imag()}},
-          {"area", cusp.area},
-          {"residual", cusp.residual}};
-}
-
 /// Half of the last digit that a volume is printed with: a larger bound of its error is printed too.
 constexpr double last_digit_of_volume = 5e-13;
 
@@ -167,12 +153,6 @@ Tree edges_into_cusps(const Structure& s) {
   return edges;
 }
 
-Tree cusps_tree(const Structure& s) {
-  Tree list = Tree::array();
-  for (const auto& cusp : s.cusps) list.push_back(tree_of(cusp));
-  return list;
-}
-
 Tree error_of_volume(const Structure& s) {
   const double error = s.search.structure.volume_error;
   return is_solved(s) && std::isfinite(error) ? Tree(error) : Tree();
@@ -213,7 +193,10 @@ void certify(Structure& s, const Progress& progress) {
   const auto& structure = s.search.structure;
   s.certified = s.digits > 0 ? verified::certify_to(s.digits, tri, s.skeleton, structure, progress)
                              : verified::certify(tri, s.skeleton, structure, {}, progress);
-  if (is_certified(s)) s.certificate = verified::certificate(tri, s.skeleton, *s.certified->proof);
+  if (!is_certified(s)) return;
+  s.certificate = verified::certificate(tri, s.skeleton, *s.certified->proof);
+  const numeric::WorkingPrecision precision(s.certified->proof->bits);
+  s.proved_shapes = hyperbolic::cusp_shapes(tri, s.skeleton, s.certified->proof->lengths);
 }
 
 void add_certified(const Structure& s, Rows& rows) {
@@ -316,8 +299,7 @@ Rows rows_of(const Structure& s) {
     rows.emplace_back("residual", scientific(found.residual, 1));
     rows.emplace_back("iterations", std::to_string(found.iterations));
     add_edges(s, rows);
-    for (const auto& cusp : s.cusps)
-      rows.emplace_back("cusp " + std::to_string(cusp.vertex.value), describe(cusp));
+    add_cusps(s, rows);
     for (std::size_t t = 0; t < found.dihedral_angles.size(); ++t) {
       std::vector<std::string> angles;
       for (const double a : found.dihedral_angles[t]) angles.push_back(fixed(a, 10));
@@ -417,7 +399,10 @@ const FieldList<Structure>& fields_of<Structure>() {
       {{"dihedral_angles", "radians", "of each tetrahedron, at its edges 01, 02, 03, 12, 13, 23"},
        [](S s) -> Tree { return s.search.structure.dihedral_angles; }},
       {{"into_cusps", "", "numbers of the edges that run into a cusp"}, edges_into_cusps, is_geometric},
-      {{"cusps", "", "of each cusp its vertex, type, shape, the area of its cross-section, and a residual"},
+      {{"cusps", "",
+        "of each cusp its vertex, type, shape, the area of its cross-section, and a residual; certified, "
+        "also "
+        "intervals of decimal numbers, as texts, that hold both parts of the shape"},
        cusps_tree,
        has_cusps},
       {{"residual", "radians", "greatest angle defect of an edge"},

@@ -23,10 +23,16 @@ inline std::optional<canonical::CellsProof> proof_of_cells(const Triangulation& 
   if (found.outcome != hyperbolic::Outcome::geometric) return std::nullopt;
   const auto result = verified::certify(tri, skeleton, found);
   if (!result.proof) return std::nullopt;
-  const auto merged = [&](const Table<EdgeId, int>& block, double reach) {
+  canonical::Solvers solvers;
+  solvers.merged = [&](const Table<EdgeId, int>& block, double reach) {
     return verified::solve_merged(skeleton, block, found.lengths, reach);
   };
-  return canonical::certify_cells(tri, skeleton, result.proof->lengths, flat, merged);
+  solvers.precise = [&](int bits) -> std::optional<hyperbolic::Metric<numeric::Ball>> {
+    const auto precise = verified::certify(tri, skeleton, found, {bits, bits, false});
+    if (!precise.proof) return std::nullopt;
+    return precise.proof->lengths;
+  };
+  return canonical::certify_cells(tri, skeleton, result.proof->lengths, flat, solvers);
 }
 
 /// The cells, proved if that succeeds.

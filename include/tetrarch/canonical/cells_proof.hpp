@@ -14,8 +14,9 @@ enum class Criterion {
   orbits,      ///< R
   one_line,    ///< F
   blocks,      ///< B
+  exact,       ///< E
 };
-/// "tetrahedron", "R", "F", "B".
+/// "tetrahedron", "R", "F", "B", "E".
 const char* to_string(Criterion criterion);
 
 /// Whether cells were proved, and how.
@@ -23,6 +24,7 @@ struct CellsProof {
   bool certified = false;
   std::string why_not;             ///< what is in doubt; empty if nothing is
   std::vector<Criterion> criteria; ///< of each cell, by its first tetrahedron; of those proved
+  std::string field;               ///< of E, the polynomial whose root gives all inner products; else empty
   double least_tilt = 0; ///< of the faces between cells, which is certainly positive; its nearest double
 };
 

@@ -28,6 +28,12 @@
 ///      their curvatures are equal, and so they vanish: the zero is the structure. Then R or F, with the
 ///      larger group.
 ///
+///   E  The inner products are algebraic numbers. Guess a field and the numbers in it, and prove the guess:
+///      tetrahedra with these products exist, across each face the far vertex has the right norm and lies on
+///      the other side, laid out around an edge they come back exactly, with an angle near 2 pi, and all
+///      cusps have one area. That is a hyperbolic structure, hence the structure. Then a face is flat if the
+///      far vertex is a_0 v_0 + ... + a_3 v_3 with the sum of a exactly 1.
+///
 /// More digits never prove flatness. Source: ours; Kojima 1990 for the cells.
 
 #include "tetrarch/canonical/cells.hpp"
@@ -44,10 +50,20 @@ namespace tetrarch::canonical {
 using MergedSolver = std::function<std::optional<hyperbolic::Metric<numeric::Ball>>(
     const Table<EdgeId, int>& block, double reach)>;
 
-/// `lengths` hold those of the structure; faces marked `flat` are inside cells. B needs a `solver`. O(n)
-/// where no face is flat; else the search for symmetries may take longer, within a budget.
+/// The structure's lengths in balls of so many bits.
+using PreciseSolver = std::function<std::optional<hyperbolic::Metric<numeric::Ball>>(int bits)>;
+
+/// What B and E need; without it they are not tried.
+struct Solvers {
+  MergedSolver merged;
+  PreciseSolver precise;
+  std::function<void()> still_wanted; ///< called now and then; may throw to end the search
+};
+
+/// `lengths` hold those of the structure; faces marked `flat` are inside cells. O(n) where no face is flat;
+/// else the search for symmetries may take longer, within a budget, and E some tenths of a second.
 [[nodiscard]] CellsProof certify_cells(const Triangulation& tri, const Skeleton& skeleton,
                                        const hyperbolic::Metric<numeric::Ball>& lengths,
-                                       const FlatFaces& flat, const MergedSolver& solver = {});
+                                       const FlatFaces& flat, const Solvers& solvers = {});
 
 } // namespace tetrarch::canonical

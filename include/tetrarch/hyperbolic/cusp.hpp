@@ -45,4 +45,19 @@ struct Cusp {
 /// hyperbolic vertex has. O(n log n).
 std::vector<Cusp> cusps(const Triangulation& tri, const Skeleton& skeleton, const Metric<double>& lengths);
 
+/// The shape of one cusp in another scalar.
+template <class Scalar>
+struct CuspShape {
+  VertexId vertex;
+  Scalar real{}, imaginary{};
+};
+
+/// The shapes alone, in the same order; in balls they are proved if the lengths hold those of a structure.
+/// The translations a and b span the lattice for sure. That they are the shortest is decided in doubles:
+/// where two choices are equally good to ten digits the shape may be that of the other one. For double and
+/// balls; O(n log n).
+template <class Scalar>
+std::vector<CuspShape<Scalar>> cusp_shapes(const Triangulation& tri, const Skeleton& skeleton,
+                                           const Metric<Scalar>& lengths);
+
 } // namespace tetrarch::hyperbolic

@@ -48,6 +48,8 @@ struct Structure {
   std::optional<hyperbolic::OrbifoldSearch> orbifold = {};
   /// Why there is none, where that was found: the manifold is proved not to be hyperbolic.
   std::optional<reasons::Reason> why{};
+  /// Of a certified structure, in the order of `cusps`.
+  std::vector<hyperbolic::CuspShape<numeric::Ball>> proved_shapes{};
 
   /// Yes, of one that was to be certified, only if it was. Undecided where tetrahedra are turned over.
   Verdict verdict() const;
