@@ -67,8 +67,13 @@ CellsProof certify_cells(const Triangulation& tri, const Skeleton& skeleton,
   for (int t = 0; t < tri.size(); ++t)
     for (int f = 0; f < 4; ++f) {
       any_flat |= flat[t][f];
-      if (flat[t][f]) continue;
       const Ball tilt = look_across(m, {t, f}).tilt;
+      if (flat[t][f]) {
+        if (!(abs(tilt) > 0)) continue;
+        proof.why_not =
+            "face " + std::to_string(f) + " of tetrahedron " + std::to_string(t) + " is certainly not flat";
+        return proof;
+      }
       if (!(tilt > 0)) {
         proof.why_not =
             "face " + std::to_string(f) + " of tetrahedron " + std::to_string(t) + " is not certainly convex";
