@@ -138,46 +138,6 @@ TEST_CASE("ideal vertices and real boundary go together", "[moves]") {
   CHECK(made.boundary[0].type.str() == "torus");
 }
 
-TEST_CASE("several solids are converted each for itself", "[moves]") {
-  // The exterior of the figure-eight knot, a ball, an ideal triangulation, a ball, and the exterior of the
-  // trefoil knot, in one gluing.
-  const Triangulation parts[] = {triangulation_of(exterior(named_link("figure eight").grid)),
-                                 cubical_ball(3, 3, 3), knotted_y(), cubical_ball(1, 1, 2),
-                                 triangulation_of(exterior(named_link("trefoil").grid))};
-  Triangulation all_parts;
-  for (const Triangulation& part : parts) {
-    const int first = all_parts.add_tetrahedra(part.size());
-    for (int t = 0; t < part.size(); ++t)
-      for (int f = 0; f < 4; ++f)
-        if (!part.is_boundary({t, f}) && all_parts.is_boundary({first + t, f}))
-          all_parts.glue({first + t, f}, first + part.gluing({t, f}).tet, part.gluing({t, f}).perm);
-  }
-  for (const bool keep : {false, true}) {
-    TruncateOptions options;
-    options.keep_spheres = keep;
-    const Truncation made = truncate(all_parts, options);
-    const std::vector<Triangulation> out = split(made.tri, components(made.tri));
-    REQUIRE(out.size() == 5);
-    int finite = 0;
-    std::size_t boundary = 0;
-    for (std::size_t k = 0; k < out.size(); ++k) {
-      INFO(k);
-      const Truncation alone = truncate(parts[k], options);
-      CHECK(topology_and_homology(out[k]) == topology_and_homology(alone.tri));
-      CHECK(identify::recognise(out[k]).name == identify::recognise(alone.tri).name);
-      finite += alone.finite_vertices;
-      boundary += alone.boundary.size();
-    }
-    CHECK(signature(out[0]) == zoo("figure-eight complement m004").signature);
-    CHECK(signature(out[2]) == signature(knotted_y()));
-    CHECK(made.finite_vertices == finite);
-    REQUIRE(made.boundary.size() == boundary);
-    const Skeleton skeleton(made.tri);
-    for (const BoundaryImage& b : made.boundary)
-      if (b.vertex.tet >= 0) CHECK(skeleton.link(skeleton.vertex(b.vertex)) == b.type);
-  }
-}
-
 TEST_CASE("the conversion refuses what is no manifold, and names the place", "[moves]") {
   Triangulation folded(1); // edge 01 is glued to itself backwards
   folded.glue({0, 2}, 0, Perm4(1, 0, 3, 2));
