@@ -167,6 +167,7 @@
 #include "tetrarch/moves/simplify.hpp"
 #include "tetrarch/moves/subdivide.hpp"
 #include "tetrarch/moves/truncate.hpp"
+#include "tetrarch/numeric/algebraic.hpp"
 #include "tetrarch/numeric/ball.hpp"
 #include "tetrarch/numeric/flat_locator.hpp"
 #include "tetrarch/numeric/flat_triangle.hpp"

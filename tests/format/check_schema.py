@@ -141,7 +141,7 @@ def main():
     files = options.files or [*sorted((ROOT / "tests/data/format/good").glob("*.json")),
                               *sorted((ROOT / "tests/data/frozen").glob("*/*.json")),
                               *sorted((ROOT / "tests/data").glob("*.cert.json")),
-                              *sorted((ROOT / "census").glob("*.json"))]
+                              *sorted((ROOT / "census").glob("fmp*.json")), ROOT / "census/graphs.json"]
     for file in files:
         check(file, file)
     written = 0

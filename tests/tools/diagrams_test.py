@@ -60,7 +60,7 @@ class Exteriors(InFolder):
     def test_links_and_graphs_by_name(self):
         self.assertEqual(run_json("diagram", "L6a4")[1]["components"], 3)
         self.assertEqual(run_json("census", "identify", "hk5_3")[1]["name"], "fmp2_8")
-        self.assertIn("exterior of hk5_3", run("census", "identify", "fmp2_8").stdout)
+        self.assertIn("graphs hk5_3, theta5_1", run("census", "identify", "fmp2_8").stdout)
         # 5_1 and 6_4: one exterior, without a structure.
         for name in "hk5_1", "hk6_4":
             found = run_json("census", "identify", name)[1]

@@ -581,7 +581,7 @@ class Meshes(unittest.TestCase):
         }
         for name, (tetrahedra, line) in cases.items():
             for command in ("info", "truncate", "hyperbolize"):
-                if (name, command) == ("two components", "info"):
+                if name == "two components" and command != "hyperbolize":
                     continue
                 done = run(command, "-", stdin=medit(points, tetrahedra))
                 self.assertEqual((done.returncode, done.stdout), (2, ""), (name, command, done.stderr))

@@ -1,18 +1,23 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "memory.hpp"
 
+#include "command.hpp"
+
+#include "tetrarch/format/text.hpp"
 #include "tetrarch/numeric/ball.hpp"
 
 #include <algorithm>
 #include <atomic>
 #include <cstddef>
 #include <cstdlib>
+#include <exception>
 #include <execinfo.h>
 #include <fstream>
 #include <gmp.h>
 #include <limits>
 #include <new>
 #include <string>
+#include <string_view>
 #include <sys/resource.h>
 #include <unistd.h>
 
@@ -36,6 +41,16 @@ void give_up() {
   if (void* const kept = reserve_to_go_on.exchange(nullptr)) return std::free(kept);
   std::free(reserve_to_complain.exchange(nullptr));
   throw std::bad_alloc();
+}
+
+/// The destructor of the JSON library allocates, and may not throw: where both reserves are gone by then, the
+/// program still ends as it does for want of memory, and does not abort.
+[[noreturn]] void end_for_want() {
+  if (reserve_to_complain.load() != nullptr) std::abort(); // it is something else
+  format::remove_unfinished_files();
+  constexpr std::string_view line = "tetrarch: out of memory\n";
+  const bool is_said = ::write(STDERR_FILENO, line.data(), line.size()) > 0;
+  std::_Exit(static_cast<int>(is_said ? Status::bad_input : Status::fault));
 }
 
 template <class Allocate>
@@ -107,6 +122,7 @@ void prepare_for_want(char** arguments) {
   restore_reserves();
   if (reserve_to_go_on.load() == nullptr || reserve_to_complain.load() == nullptr) throw std::bad_alloc();
   std::set_new_handler(give_up);
+  std::set_terminate(end_for_want);
   mp_set_memory_functions(allocate, gmp_reallocate, gmp_free);
   numeric::take_memory_from(allocate, allocate_cleared, reallocate, std::free);
 }
