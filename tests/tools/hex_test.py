@@ -105,11 +105,11 @@ class Hex(InFolder):
         self.assertEqual(made["ridges_of_solid"], 0)
         self.assertIn("the volume is", " ".join(made["doubts"]))
         self.assertIn("of the diagonal away at", " ".join(made["doubts"]))
-        # Nothing is good enough: grids get finer until sixteen times the wish is spent.
-        self.assertEqual(made["ended_by"], "effort")
-        self.assertGreater(made["grids"], 1)
-        self.assertIn("%d grids tried" % made["grids"], made["doubts"][-1])
-        self.assertIn("wish for more cells", made["doubts"][-1])
+        # Nothing is good enough: grids get finer, to a third of the first one's edges.
+        self.assertEqual(made["ended_by"], "finest")
+        self.assertEqual(made["grids"], 3)
+        self.assertIn("3 grids tried", made["doubts"][-1])
+        self.assertIn("shorter than a third of the first grid's", made["doubts"][-1])
         self.assertTrue(os.path.exists(self.path("torus.vtu")))
 
     def test_bad_solids(self):

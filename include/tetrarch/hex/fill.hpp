@@ -36,7 +36,7 @@ struct FillOptions {
   double most_bytes = std::numeric_limits<double>::infinity();
   /// No grid is made finer if all grids together would have more hexahedra than so many times those of the
   /// first, by `cells_for`. A count, so that the same comes out on each machine.
-  double most_effort = 64;
+  double most_effort = 32;
 };
 
 /// What `FillOptions::cells` is where nobody said.
