@@ -96,7 +96,8 @@ private:
     if (take_leave())
       say_goodbye();
     else
-      std::this_thread::sleep_for(std::chrono::nanoseconds(grace)); // the job is saying so, and ends the program
+      std::this_thread::sleep_for(
+          std::chrono::nanoseconds(grace)); // the job is saying so, and ends the program
     std::_Exit(static_cast<int>(Status::interrupted));
   }
 
