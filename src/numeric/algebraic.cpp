@@ -197,12 +197,13 @@ Algebraic::Algebraic(const Algebraic& other) : field_(other.field_), storage_() 
   fmpq_poly_set(raw(*this), raw(other));
 }
 
-Algebraic::Algebraic(Algebraic&& other) noexcept : field_(other.field_), storage_() {
+Algebraic::Algebraic(Algebraic&& other) noexcept : field_(std::move(other.field_)), storage_() {
   fmpq_poly_init(raw(*this));
   fmpq_poly_swap(raw(*this), raw(other));
 }
 
 Algebraic& Algebraic::operator=(const Algebraic& other) {
+  if (this == &other) return *this;
   field_ = other.field_;
   fmpq_poly_set(raw(*this), raw(other));
   return *this;
