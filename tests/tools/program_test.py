@@ -801,7 +801,7 @@ class BadInput(unittest.TestCase):
         for zero in (b"\0", b"0"):
             start = time.monotonic()
             self.refuse(zero * 100_000_000)
-            self.assertLess(time.monotonic() - start, 20)
+            self.assertLess(time.monotonic() - start, 120 if INSTRUMENTED else 20)
 
     def test_no_such_file(self):
         done = run("info", "no/such.file")
