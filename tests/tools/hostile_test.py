@@ -138,10 +138,13 @@ class Escapes(Refusals):
             self.assertNotRegex(done.stdout + done.stderr, "[\x00-\x09\x0b-\x1f\x7f-\x9f]", arguments)
 
 
+SLOWER = 5 if INSTRUMENTED else 1  # an instrumented program takes longer to start
+
+
 class Signals(InFolder):
     def ended(self, job, number, after=0.3):
         """Seconds from one signal to the end, status 130 and one line of complaint."""
-        time.sleep(after)
+        time.sleep(after * SLOWER)
         self.assertIsNone(job.poll())
         start = time.monotonic()
         job.send_signal(number)
@@ -171,7 +174,7 @@ class Signals(InFolder):
         for number, arguments in ((signal.SIGTERM, ("census", "gluings", "--tetrahedra", "8", "-o", "out.txt")),
                                   (signal.SIGHUP, ("info", "random.json")), (signal.SIGINT, ("canonize", "random.json"))):
             job = self.start(*arguments)
-            time.sleep(0.3)
+            time.sleep(0.3 * SLOWER)
             if job.poll() is None:
                 self.assertLess(self.ended(job, number, 0), 2, arguments)
             else:  # it was quick
