@@ -6,7 +6,7 @@ import signal
 import subprocess
 import time
 
-from running import INSTRUMENTED, InFolder, PROGRAM, SOURCE, medit, run, run_json
+from running import InFolder, PROGRAM, SLOWER, SOURCE, medit, run, run_json
 
 SIX = ((0, 1, 3, 7), (0, 3, 2, 7), (0, 2, 6, 7), (0, 6, 4, 7), (0, 4, 5, 7), (0, 5, 1, 7))
 # Of each corner of a hexahedron the three that it is joined to, right-handed.
@@ -159,12 +159,11 @@ class Hex(InFolder):
 
     def test_one_signal_ends_it(self):
         """In whatever stage it is: within a second of the processor's time; the sanitizers make that several."""
-        slower = 5 if INSTRUMENTED else 1
         torus = os.path.join(SOURCE, "tests/data/genus5_smooth.mesh")
         for number, after in ((signal.SIGINT, 0.2), (signal.SIGTERM, 1), (signal.SIGINT, 2.5), (signal.SIGTERM, 5)):
             job = subprocess.Popen([PROGRAM, "hex", torus, "--cells", "20000", "-o", self.path("never.vtu")],
                                    stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
-            while self.seconds(job) < after * slower:
+            while self.seconds(job) < after * SLOWER:
                 self.assertIsNone(job.poll())
                 time.sleep(0.02)
             before = self.seconds(job)
@@ -174,7 +173,7 @@ class Hex(InFolder):
             _, status, used = os.wait4(job.pid, 0)
             job.returncode = os.waitstatus_to_exitcode(status)
             self.assertEqual((job.returncode, said), (130, b"tetrarch: interrupted; nothing was written\n"))
-            self.assertLess(used.ru_utime + used.ru_stime - before, slower, (number, after))
+            self.assertLess(used.ru_utime + used.ru_stime - before, SLOWER, (number, after))
             self.assertFalse(os.path.exists(self.path("never.vtu")))
 
     @staticmethod

@@ -11,7 +11,7 @@ import tempfile
 import time
 import unittest
 
-from running import INSTRUMENTED, PROGRAM, InFolder, run, run_json
+from running import INSTRUMENTED, PROGRAM, InFolder, run, run_json, seconds_of_work, wait_until_it_listens
 
 ODD = "0.84375"  # a coordinate that stands once in the file, exact as a float
 TETRAHEDRON = f"OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 {ODD}\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n"
@@ -41,13 +41,6 @@ def random_gluing(size, seed):
         back = {b: a for a, b in there.items()}
         gluings[u][g] = [t, "".join(str(back[c]) for c in range(4))]
     return triangulation(gluings)
-
-
-def seconds_of_work(*arguments):
-    before = resource.getrusage(resource.RUSAGE_CHILDREN)
-    done = run(*arguments)
-    after = resource.getrusage(resource.RUSAGE_CHILDREN)
-    return done, after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
 
 
 class Refusals(InFolder):
@@ -138,13 +131,11 @@ class Escapes(Refusals):
             self.assertNotRegex(done.stdout + done.stderr, "[\x00-\x09\x0b-\x1f\x7f-\x9f]", arguments)
 
 
-SLOWER = 5 if INSTRUMENTED else 1  # an instrumented program takes longer to start
-
-
 class Signals(InFolder):
     def ended(self, job, number, after=0.3):
         """Seconds from one signal to the end, status 130 and one line of complaint."""
-        time.sleep(after * SLOWER)
+        wait_until_it_listens(job)
+        time.sleep(after)
         self.assertIsNone(job.poll())
         start = time.monotonic()
         job.send_signal(number)
@@ -174,7 +165,8 @@ class Signals(InFolder):
         for number, arguments in ((signal.SIGTERM, ("census", "gluings", "--tetrahedra", "8", "-o", "out.txt")),
                                   (signal.SIGHUP, ("info", "random.json")), (signal.SIGINT, ("canonize", "random.json"))):
             job = self.start(*arguments)
-            time.sleep(0.3 * SLOWER)
+            wait_until_it_listens(job)
+            time.sleep(0.3)
             if job.poll() is None:
                 self.assertLess(self.ended(job, number, 0), 2, arguments)
             else:  # it was quick

@@ -2,15 +2,20 @@
 """Running the program in tests, and what was typed in all of them."""
 import json
 import os
+import re
+import resource
+import signal
 import subprocess
 import sys
 import tempfile
+import time
 import unittest
 
 PROGRAM = os.path.abspath(sys.argv[1])
 SOURCE = os.path.abspath(sys.argv[2])
 with open(PROGRAM, "rb") as program:
     INSTRUMENTED = b"__asan_init" in program.read()  # AddressSanitizer's shadow takes terabytes of addresses
+SLOWER = 5 if INSTRUMENTED else 1  # than Release, of processor time
 TYPED = []  # (arguments, exit status) of every run
 
 
@@ -24,6 +29,24 @@ def run(*arguments, stdin=None, cwd=None, env=None):
 def run_json(*arguments):
     done = run(*arguments, "--json")
     return done.returncode, json.loads(done.stdout)
+
+
+def seconds_of_work(*arguments):
+    """What a run gave, and its processor seconds."""
+    before = resource.getrusage(resource.RUSAGE_CHILDREN)
+    done = run(*arguments)
+    after = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return done, after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
+
+
+def wait_until_it_listens(job):
+    """Until a started program has asked for SIGINT, or has ended."""
+    while job.poll() is None:
+        with open(f"/proc/{job.pid}/status", encoding="ascii") as file:
+            caught = re.search("^SigCgt:\\s*([0-9a-f]+)$", file.read(), re.M)
+        if caught and int(caught[1], 16) >> (signal.SIGINT - 1) & 1:
+            return
+        time.sleep(0.005)
 
 
 def medit(points, elements, keyword="Tetrahedra"):
