@@ -17,10 +17,6 @@ namespace {
 /// Below this total length a presentation may always grow: what is printed on two lines needs no thrift.
 constexpr long long small_length = 100;
 
-int generator_of(int letter) {
-  return std::abs(letter) - 1;
-}
-
 bool precedes(const Word& a, const Word& b) {
   if (a.size() != b.size()) return a.size() < b.size();
   return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end(),

@@ -19,6 +19,10 @@ Kept without_short_relators(const Presentation& presentation);
 /// The rest of what `simplified` promises.
 Kept tietze_reduced(const Presentation& presentation, const TietzeOptions& options, const Progress& progress);
 
+inline int generator_of(int letter) {
+  return std::abs(letter) - 1;
+}
+
 /// The place of a letter in the order a < A < b < B < ...
 inline int rank_of(int letter) {
   return 2 * std::abs(letter) + (letter < 0 ? 1 : 0);

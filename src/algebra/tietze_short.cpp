@@ -7,10 +7,6 @@
 namespace tetrarch::algebra {
 namespace {
 
-int generator_of(int letter) {
-  return std::abs(letter) - 1;
-}
-
 /// What each generator has become: 1, or a letter. A union-find forest with signs.
 class Equations {
 public:

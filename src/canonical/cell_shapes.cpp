@@ -26,9 +26,9 @@ void join(std::vector<int>& root, int a, int b) {
 }
 
 /// Builds the shapes of one decomposition.
-class Builder {
+class ShapeBuilder {
 public:
-  Builder(const Triangulation& tri, const Skeleton& skeleton, const FlatFaces& flat)
+  ShapeBuilder(const Triangulation& tri, const Skeleton& skeleton, const FlatFaces& flat)
       : tri_(tri), skeleton_(skeleton), flat_(flat), walls_around_(skeleton.edge_count(), 0),
         triangle_(singletons(4 * tri.size())) {
     for (const EdgeId e : all<EdgeId>(skeleton.edge_count()))
@@ -349,7 +349,7 @@ private:
 } // namespace
 
 CellShapes cell_shapes(const Triangulation& tri, const Skeleton& skeleton, const FlatFaces& flat) {
-  return Builder(tri, skeleton, flat).run();
+  return ShapeBuilder(tri, skeleton, flat).run();
 }
 
 std::optional<std::vector<Symmetry>> symmetries_of_cell(const CellShapes& shapes, int cell,

@@ -23,7 +23,7 @@ Scalar dot(const Vector3<Scalar>& x, const Vector3<Scalar>& y) {
 
 /// The inverse of a symmetric 3x3 matrix by cofactors.
 template <class Scalar>
-Matrix3<Scalar> inverse(const Matrix3<Scalar>& s) {
+Matrix3<Scalar> inverse_matrix(const Matrix3<Scalar>& s) {
   Matrix3<Scalar> c;
   for (int i = 0; i < 3; ++i) {
     for (int j = 0; j < 3; ++j) {
@@ -113,7 +113,7 @@ Across<Scalar> look_across(const Decorated<Scalar>& m, TetFace f) {
   }
   // Off the plane of the face both far vertices have a component; the squares of these fix a[f.face] up to
   // its sign.
-  const Matrix3<Scalar> s_inverse = inverse<Scalar>(s);
+  const Matrix3<Scalar> s_inverse = inverse_matrix<Scalar>(s);
   Across<Scalar> out;
   Scalar af(0);
   if (!m.is_flat(g.tet)) { // the root would make 1e-8 of a flat one's 1e-16

@@ -21,7 +21,7 @@ constexpr int bits_to_see = 100 * most_degree + 400;
 /// Values of exact numbers, for signs and angles.
 constexpr int bits_to_compare = 212;
 
-Algebraic product(const Vector& x, const Gram<Algebraic>& w, const Vector& y) {
+Algebraic exact_product(const Vector& x, const Gram<Algebraic>& w, const Vector& y) {
   Algebraic sum;
   for (int i = 0; i < 4; ++i)
     for (int j = 0; j < 4; ++j) sum += x[i] * w[i][j] * y[j];
@@ -131,7 +131,7 @@ private:
       a[i] *= *over_determinant;
     }
     // The norm is right, and the neighbor lies on the other side.
-    return product(a, here, a) == gram_[g.tet][vertex][vertex] && a[f.face].value() < 0;
+    return exact_product(a, here, a) == gram_[g.tet][vertex][vertex] && a[f.face].value() < 0;
   }
 
   /// Coordinates in the neighbor's basis become coordinates in this one's.

@@ -48,7 +48,7 @@ std::vector<Coordinates> develop(const Decorated<Ball>& m, const FlatFaces& flat
   return at;
 }
 
-Ball product(const Gram<Ball>& w, const Coordinates& x, const Coordinates& y) {
+Ball ball_product(const Gram<Ball>& w, const Coordinates& x, const Coordinates& y) {
   Ball sum = 0;
   for (int i = 0; i < 4; ++i)
     for (int j = 0; j < 4; ++j) sum += x[i] * w[i][j] * y[j];
@@ -190,7 +190,7 @@ BallMatrix gram_of_cell(const Decorated<Ball>& m, const FlatFaces& flat, const C
   const Gram<Ball>& w = m.gram[shapes.cells[cell].tets[0]];
   BallMatrix gram(at.size(), std::vector<Ball>(at.size(), Ball(0)));
   for (std::size_t i = 0; i < at.size(); ++i)
-    for (std::size_t j = 0; j < at.size(); ++j) gram[i][j] = product(w, at[i], at[j]);
+    for (std::size_t j = 0; j < at.size(); ++j) gram[i][j] = ball_product(w, at[i], at[j]);
   return gram;
 }
 

@@ -31,9 +31,9 @@ struct DevelopedCell {
 
 /// One try with one budget. What goes wrong (a missed vector, mostly) ends in an empty optional.
 template <class Scalar>
-class Builder {
+class HullBuilder {
 public:
-  Builder(const Tiling<Scalar>& tiling, const HullBudget& budget, double margin, const Progress& progress)
+  HullBuilder(const Tiling<Scalar>& tiling, const HullBudget& budget, double margin, const Progress& progress)
       : tiling_(tiling), budget_(budget), margin_(margin), progress_(progress) {}
 
   std::optional<std::vector<HullCell>> run(int first_tile) {
@@ -310,7 +310,8 @@ std::optional<std::vector<HullCell>> direct_hull(const Decorated<Scalar>& m, con
   const std::vector<int> first = first_tiles(tiling);
   for (const HullBudget& budget : options.budgets)
     for (int k = 0; k < std::min(options.starts, static_cast<int>(first.size())); ++k)
-      if (auto cells = Builder<Scalar>(tiling, budget, options.margin, progress).run(first[k])) return cells;
+      if (auto cells = HullBuilder<Scalar>(tiling, budget, options.margin, progress).run(first[k]))
+        return cells;
   return std::nullopt;
 }
 

@@ -17,7 +17,7 @@ using Structure = Candidate::Structure;
 
 constexpr std::array<std::string_view, 4> structures{"here", "elsewhere", "none", "unknown"};
 
-Json to_json(const Candidate& c) {
+Json json_of(const Candidate& c) {
   Json item{{"signature", c.signature}, {"structure", structures[static_cast<std::size_t>(c.structure)]}};
   if (!c.reason.empty()) item["reason"] = c.reason;
   if (!c.evidence.empty()) item["evidence"] = c.evidence;
@@ -32,7 +32,7 @@ Json to_json(const Candidate& c) {
   return item;
 }
 
-Candidate from_json(const Json& item) {
+Candidate candidate_from(const Json& item) {
   Candidate c;
   c.signature = item.at("signature");
   const auto* const name =
@@ -55,7 +55,7 @@ Candidate from_json(const Json& item) {
 
 std::string unit_text(std::span<const Candidate> unit) {
   Json list = Json::array();
-  for (const Candidate& c : unit) list.push_back(to_json(c));
+  for (const Candidate& c : unit) list.push_back(json_of(c));
   return list.dump();
 }
 
@@ -67,7 +67,7 @@ std::optional<std::vector<Candidate>> read_unit(const std::string& text,
                                                 std::span<const std::string> signatures) {
   std::vector<Candidate> unit;
   try {
-    for (const Json& item : Json::parse(text)) unit.push_back(from_json(item));
+    for (const Json& item : Json::parse(text)) unit.push_back(candidate_from(item));
   } catch (const Json::exception&) {
     return std::nullopt;
   } catch (const InputError&) {

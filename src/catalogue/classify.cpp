@@ -153,7 +153,7 @@ std::vector<const Candidate*> representatives(const std::vector<Candidate>& cand
   return out;
 }
 
-void count(const Candidate& c, Classification& out, std::map<std::string, int>& reasons) {
+void count_candidate(const Candidate& c, Classification& out, std::map<std::string, int>& reasons) {
   Tally& tally = out.tally;
   ++tally.gluings;
   tally.geometric += c.structure == Structure::here;
@@ -190,7 +190,7 @@ Classification classify_manifolds(int tetrahedra, const WorkOptions& options, co
   const std::vector<Candidate> candidates =
       Workshop(tetrahedra, progress).candidates(options, out.missing_units, progress);
   std::map<std::string, int> reasons;
-  for (const Candidate& c : candidates) count(c, out, reasons);
+  for (const Candidate& c : candidates) count_candidate(c, out, reasons);
   out.tally.stuck = static_cast<int>(out.stuck.size());
   for (auto* list : {&out.stuck, &out.unproved, &out.open}) sort_by_signature(*list);
   out.reasons.assign(reasons.begin(), reasons.end());
@@ -232,6 +232,18 @@ ClassificationUnits::~ClassificationUnits() = default;
 
 int ClassificationUnits::size() const {
   return static_cast<int>(state_->units.size());
+}
+
+UnitRecords RecordsInMemory::both() {
+  return {[this](const std::string& key) -> const std::string* {
+            const std::lock_guard lock(mutex);
+            const auto found = texts.find(key);
+            return found == texts.end() ? nullptr : &found->second;
+          },
+          [this](const std::string& key, const std::string& text) {
+            const std::lock_guard lock(mutex);
+            texts.emplace(key, text);
+          }};
 }
 
 bool ClassificationUnits::is_kept(int k, const UnitRecords& records) const {

@@ -29,7 +29,7 @@ Cusped read_line(std::string_view line) {
   return {name, signature, line.empty() ? signature : line};
 }
 
-std::vector<Cusped> read_lines(std::string_view text) {
+std::vector<Cusped> read_cusped(std::string_view text) {
   std::vector<Cusped> all;
   while (!text.empty()) {
     const std::size_t end = std::min(text.find('\n'), text.size());
@@ -42,7 +42,7 @@ std::vector<Cusped> read_lines(std::string_view text) {
 
 /// Read at the first call, which other threads wait for; half a millisecond.
 const std::vector<Cusped>& census() {
-  static const std::vector<Cusped> all = read_lines(detail::embedded_cusped());
+  static const std::vector<Cusped> all = read_cusped(detail::embedded_cusped());
   return all;
 }
 

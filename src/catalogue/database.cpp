@@ -21,7 +21,7 @@ using detail::Connection;
 using detail::Statement;
 
 /// "TETR": what SQLite keeps of whose file it is; the second number is the version of the tables.
-constexpr const char* heading = "PRAGMA application_id = 1413829714; PRAGMA user_version = 1;";
+constexpr const char* database_heading = "PRAGMA application_id = 1413829714; PRAGMA user_version = 1;";
 constexpr int application = 1413829714;
 
 constexpr const char* columns =
@@ -240,7 +240,7 @@ std::vector<int> Database::tables() const {
 std::string database_of(const std::vector<Manifold>& manifolds) {
   const Connection connection;
   connection.run("PRAGMA page_size = 4096;");
-  connection.run(heading);
+  connection.run(database_heading);
   connection.run("BEGIN");
   connection.run(schema);
   Statement row(connection, std::string("INSERT INTO manifold (") + columns +

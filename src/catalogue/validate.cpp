@@ -24,7 +24,7 @@ constexpr std::array<Published, 3> publications{
 constexpr double flow_angle_bound = 1e-6;
 constexpr double newton_angle_bound = 1e-10;
 
-void count(const std::vector<Manifold>& manifolds, Validation& out) {
+void count_manifolds(const std::vector<Manifold>& manifolds, Validation& out) {
   out.manifolds = static_cast<int>(manifolds.size());
   out.volumes = count_volumes(manifolds);
   std::map<std::string, int> boundaries;
@@ -113,7 +113,7 @@ Validation validate(int tetrahedra, int threads, const Progress& progress) {
   if (!out.rebuilt) out.failures.emplace_back("the stored table did not come out again");
   if (out.tally.stuck > 0)
     out.failures.push_back(std::to_string(out.tally.stuck) + " structures without a canonical decomposition");
-  count(fresh.manifolds, out);
+  count_manifolds(fresh.manifolds, out);
   compare_with_published(out);
   solve_all_again(out.rebuilt ? fresh.manifolds : table, out,
                   progress); // where angles are not stored, the fresh ones

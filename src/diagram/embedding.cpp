@@ -53,7 +53,7 @@ std::vector<Listed> read_vertices(CodeText& text) {
 }
 
 /// Places of one neighbor in a cyclic list, from the first of a block on.
-std::vector<int> places_of(const std::vector<int>& neighbors, int neighbor) {
+std::vector<int> places_among(const std::vector<int>& neighbors, int neighbor) {
   const int count = static_cast<int>(neighbors.size());
   int first = 0;
   for (int k = 0; k < count; ++k)
@@ -103,8 +103,8 @@ private:
   }
 
   void join_two(int n, int m) {
-    const std::vector<int> here = places_of(list_[n].neighbors, list_[m].name);
-    const std::vector<int> there = places_of(list_[m].neighbors, list_[n].name);
+    const std::vector<int> here = places_among(list_[n].neighbors, list_[m].name);
+    const std::vector<int> there = places_among(list_[m].neighbors, list_[n].name);
     if (here.size() != there.size())
       text_.fail("vertex " + std::to_string(list_[n].name) + " lists " + std::to_string(list_[m].name) + " " +
                  std::to_string(here.size()) + " times, and is listed by it " + std::to_string(there.size()) +

@@ -57,8 +57,8 @@ void trim(Piece& piece, double radius) {
 }
 
 /// The isometries within the bounds; with a radius also those that lead to them.
-Piece walk(std::span<const Matrix4<double>> letters, const PieceBounds& bounds, const MayCross& may_cross,
-           const Progress& progress) {
+Piece walk_cover(std::span<const Matrix4<double>> letters, const PieceBounds& bounds,
+                 const MayCross& may_cross, const Progress& progress) {
   const Vector4<double>& center = base_point<double>;
   Piece piece;
   if (bounds.copies > 0)
@@ -143,7 +143,7 @@ Piece universal_cover(const Domain<double>& domain, const PieceBounds& bounds, c
     return std::any_of(hexagons[letter].begin(), hexagons[letter].end(),
                        [&](const Hexagon& hexagon) { return sinh_distance(from, hexagon) <= reach; });
   };
-  return walk(letters, bounds, may_cross, progress);
+  return walk_cover(letters, bounds, may_cross, progress);
 }
 
 Piece group_piece(std::span<const Matrix4<double>> letters, double size, const PieceBounds& bounds,
@@ -154,7 +154,7 @@ Piece group_piece(std::span<const Matrix4<double>> letters, double size, const P
   const MayCross may_cross = [&](const Vector4<double>& from, int letter) {
     return distance(from, letters[static_cast<std::size_t>(letter)] * base_point<double>) <= reach;
   };
-  return walk(letters, bounds, may_cross, progress);
+  return walk_cover(letters, bounds, may_cross, progress);
 }
 
 std::vector<int> word_to(const Piece& piece, int c) {

@@ -14,7 +14,7 @@ using hyperbolic::Metric;
 
 /// By Heron's formula in the squares of the sides.
 template <class Scalar>
-Scalar triangle_area(const Matrix4<Scalar>& w, int i) {
+Scalar horosphere_triangle_area(const Matrix4<Scalar>& w, int i) {
   using std::sqrt;
   const auto& o = face_vertex[i];
   const Scalar a = hyperbolic::squared_horosphere_side(w, i, o[0], o[1]);
@@ -44,7 +44,7 @@ Metric<Scalar> with_cusp_area(const Skeleton& skeleton, const Metric<Scalar>& le
     const VertexTypes at = hyperbolic::types_at(skeleton, types, t);
     const Matrix4<Scalar> w = hyperbolic::gram_matrix(hyperbolic::lengths_at(skeleton, lengths, t), at);
     for (int i = 0; i < 4; ++i)
-      if (at[i] == VertexType::ideal) found[skeleton.vertex({t, i})] += triangle_area(w, i);
+      if (at[i] == VertexType::ideal) found[skeleton.vertex({t, i})] += horosphere_triangle_area(w, i);
   }
   Metric<Scalar> moved = lengths;
   Table<VertexId, Scalar> by(skeleton.vertex_count(), Scalar(0));

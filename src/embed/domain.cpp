@@ -78,8 +78,8 @@ VertexVectors<Scalar> neighbour(const Triangulation& tri, const Skeleton& skelet
 }
 
 template <class Scalar>
-void walk(const Triangulation& tri, const Skeleton& skeleton, const Metric<Scalar>& lengths,
-          Domain<Scalar>& domain) {
+void walk_tree(const Triangulation& tri, const Skeleton& skeleton, const Metric<Scalar>& lengths,
+               Domain<Scalar>& domain) {
   Table<FaceId, char> tree(skeleton.face_count(), 1);
   for (const TetFace f : domain.group.generator_face) tree[skeleton.face(f)] = 0;
   const auto n = static_cast<std::size_t>(tri.size());
@@ -168,7 +168,7 @@ Domain<Scalar> fundamental_domain(const Triangulation& tri, const Skeleton& skel
   for (int t = 0; t < tri.size(); ++t) domain.types.push_back(hyperbolic::types_at(skeleton, types, t));
 
   const Metric<Scalar> cut = with_cusp_area(skeleton, lengths, types, options.cusp_area);
-  walk(tri, skeleton, cut, domain);
+  walk_tree(tri, skeleton, cut, domain);
   centre(domain);
   find_gluable_faces(tri, skeleton, cut, domain);
   for (const TetFace f : domain.group.generator_face) domain.holonomy.push_back(domain.across(f));

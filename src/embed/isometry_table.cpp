@@ -13,7 +13,7 @@ constexpr double shift = 0.3819660112501051;
 constexpr double margin = 2 * same_isometry * cells_per_unit;
 
 /// max |M - N| over the largest entry, which is the last one on the diagonal.
-double difference(const Matrix4<double>& m, const Matrix4<double>& n) {
+double largest_difference(const Matrix4<double>& m, const Matrix4<double>& n) {
   double most = 0;
   for (int i = 0; i < 4; ++i)
     for (int j = 0; j < 4; ++j) most = std::max(most, std::abs(m[i][j] - n[i][j]));
@@ -53,7 +53,7 @@ std::uint64_t IsometryTable::slot(const std::array<int, 6>& cell) const {
 
 int IsometryTable::find_in(const std::array<int, 6>& cell, const Matrix4<double>& m) {
   for (std::uint64_t s = slot(cell); slots_[s] >= 0; s = (s + 1) & (slots_.size() - 1)) {
-    const double apart = difference(m, (*isometries_)[slots_[s]]);
+    const double apart = largest_difference(m, (*isometries_)[slots_[s]]);
     if (apart < same_isometry) {
       largest_duplicate_ = std::max(largest_duplicate_, apart);
       return slots_[s];

@@ -13,7 +13,7 @@ namespace tetrarch::format {
 namespace {
 
 /// A node in text is at least "1 0 0 0\n", an element of either version at least as long.
-constexpr std::size_t shortest_line = 8;
+constexpr std::size_t shortest_gmsh_line = 8;
 
 /// A dimension and the number of an entity of it.
 using EntityName = std::pair<int, int>;
@@ -210,7 +210,7 @@ private:
   void read_nodes_2(bool parametric) {
     const std::int64_t count = in_.integer("the number of nodes", 0, most_elements);
     in_.rest_of_line();
-    soup_.points.reserve(in_.believable(count, shortest_line));
+    soup_.points.reserve(in_.believable(count, shortest_gmsh_line));
     for (std::int64_t i = 0; i < count; ++i) {
       const int tag = numbers_.tag<std::int32_t>("the tag of a node");
       note(soup_.point_labels, tag, in_.line());
@@ -236,7 +236,7 @@ private:
     const std::int64_t blocks = count_8("the number of blocks");
     const std::int64_t count = count_8("the number of nodes");
     for (int i = 0; version_ == Version::v41 && i < 2; ++i) count_8("the tag of a node");
-    soup_.points.reserve(in_.believable(count, shortest_line));
+    soup_.points.reserve(in_.believable(count, shortest_gmsh_line));
     for (std::int64_t b = 0; b < blocks; ++b) read_node_block();
     if (static_cast<std::int64_t>(soup_.points.size()) != count)
       in_.fail(std::to_string(soup_.points.size()) + " nodes", std::to_string(count) + " as announced");
@@ -320,7 +320,7 @@ private:
       const std::int64_t count = count_8("the number of elements in the block");
       const int origin = origin_of(name, type, count);
       if (type.type == gmsh_tetrahedron)
-        soup_.tetrahedra.reserve(soup_.tetrahedra.size() + in_.believable(count, shortest_line));
+        soup_.tetrahedra.reserve(soup_.tetrahedra.size() + in_.believable(count, shortest_gmsh_line));
       for (std::int64_t i = 0; i < count; ++i) {
         if (version_ == Version::v41)
           read_element<std::uint64_t>(type, numbers_.tag<std::uint64_t>("the tag of an element"), origin);

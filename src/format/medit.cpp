@@ -15,7 +15,7 @@ namespace tetrarch::format {
 namespace {
 
 /// "0 0 0" and an end of line are as short as a vertex can be.
-constexpr std::size_t shortest_line = 6;
+constexpr std::size_t shortest_medit_line = 6;
 
 constexpr std::string_view header = "MeshVersionFormatted";
 
@@ -33,7 +33,9 @@ public:
   }
   double real(std::string_view expected) { return in_.number(expected); }
   int reference() { return in_.reference("a reference"); }
-  std::size_t believable(std::int64_t announced) const { return in_.believable(announced, shortest_line); }
+  std::size_t believable(std::int64_t announced) const {
+    return in_.believable(announced, shortest_medit_line);
+  }
 
 private:
   MeshCursor& in_;
@@ -137,7 +139,7 @@ std::string keyword_of(int code) {
   return "keyword " + std::to_string(code);
 }
 
-Soup read_binary(std::string_view text, const std::string& source) {
+Soup read_meshb_text(std::string_view text, const std::string& source) {
   MeshCursor in(text, source);
   BinaryNumbers numbers(in);
   MeditSections<BinaryNumbers> sections(in, numbers);
@@ -169,7 +171,7 @@ bool is_binary_medit(std::string_view text) {
 }
 
 Soup read_medit(std::string_view text, const std::string& source) {
-  return is_binary_medit(text) ? read_binary(text, source) : read_text(text, source);
+  return is_binary_medit(text) ? read_meshb_text(text, source) : read_text(text, source);
 }
 
 std::string write_medit(const Soup& soup) {

@@ -30,18 +30,18 @@ struct Row {
   std::string_view name;
   std::string_view extension;
 };
-constexpr std::array<Row, 12> rows{{{MeshFormat::medit, "medit", ".mesh"},
-                                    {MeshFormat::meshb, "meshb", ".meshb"},
-                                    {MeshFormat::gmsh, "gmsh", ".msh"},
-                                    {MeshFormat::tetgen, "tetgen", ".node"},
-                                    {MeshFormat::tetgen, "tetgen", ".ele"},
-                                    {MeshFormat::vtk, "vtk", ".vtk"},
-                                    {MeshFormat::vtu, "vtu", ".vtu"},
-                                    {MeshFormat::vtu, "vtu", ".vtp"},
-                                    {MeshFormat::obj, "obj", ".obj"},
-                                    {MeshFormat::off, "off", ".off"},
-                                    {MeshFormat::stl, "stl", ".stl"},
-                                    {MeshFormat::ply, "ply", ".ply"}}};
+constexpr std::array<Row, 12> format_rows{{{MeshFormat::medit, "medit", ".mesh"},
+                                           {MeshFormat::meshb, "meshb", ".meshb"},
+                                           {MeshFormat::gmsh, "gmsh", ".msh"},
+                                           {MeshFormat::tetgen, "tetgen", ".node"},
+                                           {MeshFormat::tetgen, "tetgen", ".ele"},
+                                           {MeshFormat::vtk, "vtk", ".vtk"},
+                                           {MeshFormat::vtu, "vtu", ".vtu"},
+                                           {MeshFormat::vtu, "vtu", ".vtp"},
+                                           {MeshFormat::obj, "obj", ".obj"},
+                                           {MeshFormat::off, "off", ".off"},
+                                           {MeshFormat::stl, "stl", ".stl"},
+                                           {MeshFormat::ply, "ply", ".ply"}}};
 
 bool is_one_of(std::string_view word, std::initializer_list<std::string_view> words) {
   return std::find(words.begin(), words.end(), word) != words.end();
@@ -66,7 +66,7 @@ std::optional<MeshFormat> recognise_word(std::string_view word) {
 }
 
 /// The first word that is no comment; empty if there is none.
-std::string_view first_word(std::string_view text) {
+std::string_view first_mesh_word(std::string_view text) {
   TextCursor in(text, "");
   while (!in.at_end() && in.next_char() == '#') in.rest_of_line();
   return in.peek();
@@ -87,14 +87,14 @@ TetgenPaths tetgen_paths(const std::string& path) {
 } // namespace
 
 std::string name_of(MeshFormat format) {
-  for (const Row& row : rows)
+  for (const Row& row : format_rows)
     if (row.format == format) return std::string(row.name);
   if (format == MeshFormat::json) return "json";
   throw PreconditionError("no such mesh format");
 }
 
 std::optional<MeshFormat> mesh_format_for_extension(std::string_view path) {
-  for (const Row& row : rows)
+  for (const Row& row : format_rows)
     if (has_extension(path, row.extension)) return row.format;
   return std::nullopt;
 }
@@ -106,7 +106,7 @@ std::optional<MeshFormat> recognise_mesh(std::string_view text, const std::strin
   constexpr std::string_view vtk_mark = "# vtk DataFile";
   if (text.substr(0, vtk_mark.size()) == vtk_mark) return MeshFormat::vtk;
   if (text.substr(0, xml_head).find("<VTKFile") != std::string_view::npos) return MeshFormat::vtu;
-  const std::string_view word = first_word(text);
+  const std::string_view word = first_mesh_word(text);
   if (const auto format = recognise_word(word)) return format;
   // Not by the extension, which is that of triangulations too.
   if (!word.empty() && word.front() == '{')
@@ -116,7 +116,7 @@ std::optional<MeshFormat> recognise_mesh(std::string_view text, const std::strin
 
 static Soup soup_in(std::string_view text, const std::string& source) {
   const std::optional<MeshFormat> format = recognise_mesh(text, source);
-  if (!format) throw InputError(Place{source, 1}, found_expected(first_word(text), any_mesh));
+  if (!format) throw InputError(Place{source, 1}, found_expected(first_mesh_word(text), any_mesh));
   text = without_byte_order_mark(text);
   switch (*format) {
   case MeshFormat::medit:

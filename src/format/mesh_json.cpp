@@ -76,7 +76,7 @@ MeshField read_field(Json& object, const JsonPath& path, const MeshDocument& mes
 
 /// The elements that a member lists; none without it.
 template <std::size_t corners>
-std::vector<std::array<int, corners>> read_elements(Json& root, const char* key, int vertices) {
+std::vector<std::array<int, corners>> read_json_corners(Json& root, const char* key, int vertices) {
   Json* const list = member(root, key);
   if (list == nullptr) return {};
   const std::string wish =
@@ -111,9 +111,9 @@ MeshDocument to_mesh(JsonTree tree) {
   if (mesh.soup.points.size() > static_cast<std::size_t>(std::numeric_limits<int>::max()))
     fail({JsonStep("vertices")}, "more vertices than can be counted");
   const int vertices = static_cast<int>(mesh.soup.points.size());
-  mesh.soup.triangles = read_elements<3>(root, "triangles", vertices);
-  mesh.soup.tetrahedra = read_elements<4>(root, "tetrahedra", vertices);
-  mesh.hexahedra = read_elements<8>(root, "hexahedra", vertices);
+  mesh.soup.triangles = read_json_corners<3>(root, "triangles", vertices);
+  mesh.soup.tetrahedra = read_json_corners<4>(root, "tetrahedra", vertices);
+  mesh.hexahedra = read_json_corners<8>(root, "hexahedra", vertices);
   mesh.soup.triangle_tags = read_tags(root, "triangle_tags", mesh.soup.triangles.size(), "triangle");
   mesh.soup.tetrahedron_tags =
       read_tags(root, "tetrahedron_tags", mesh.soup.tetrahedra.size(), "tetrahedron");
@@ -129,7 +129,7 @@ MeshDocument to_mesh(JsonTree tree) {
 }
 
 template <class Elements>
-void require_in_range(const Elements& elements, std::size_t vertices, const char* what) {
+void require_vertices(const Elements& elements, std::size_t vertices, const char* what) {
   for (const auto& element : elements)
     for (const int index : element)
       if (index < 0 || static_cast<std::size_t>(index) >= vertices)
@@ -158,7 +158,7 @@ std::string field_text(const MeshField& field, const MeshDocument& mesh) {
 }
 
 template <class Entries>
-MeshField flattened(std::string name, On on, const Entries& list) {
+MeshField flat_field(std::string name, On on, const Entries& list) {
   MeshField field{
       std::move(name), on, static_cast<int>(std::tuple_size_v<typename Entries::value_type>), {}, {}};
   field.values.reserve(list.size() * static_cast<std::size_t>(field.components));
@@ -196,10 +196,10 @@ MeshField field_of(std::string name, On on, const std::vector<double>& values) {
   return {std::move(name), on, 1, values, {}};
 }
 MeshField field_of(std::string name, On on, const std::vector<std::array<double, 2>>& values) {
-  return flattened(std::move(name), on, values);
+  return flat_field(std::move(name), on, values);
 }
 MeshField field_of(std::string name, On on, const std::vector<std::array<double, 3>>& values) {
-  return flattened(std::move(name), on, values);
+  return flat_field(std::move(name), on, values);
 }
 
 const MeshField* find_field(const MeshDocument& mesh, std::string_view name) {
@@ -217,9 +217,9 @@ MeshDocument read_mesh_json(std::string_view text, const std::string& source) {
 std::string write_mesh_json(const MeshDocument& mesh) {
   const Soup& soup = mesh.soup;
   require_finite(soup);
-  require_in_range(soup.triangles, soup.points.size(), "triangles");
-  require_in_range(soup.tetrahedra, soup.points.size(), "tetrahedra");
-  require_in_range(mesh.hexahedra, soup.points.size(), "hexahedra");
+  require_vertices(soup.triangles, soup.points.size(), "triangles");
+  require_vertices(soup.tetrahedra, soup.points.size(), "tetrahedra");
+  require_vertices(mesh.hexahedra, soup.points.size(), "hexahedra");
   if (!soup.triangle_tags.empty() && soup.triangle_tags.size() != soup.triangles.size())
     throw PreconditionError("tags of other triangles than there are");
   if (!soup.tetrahedron_tags.empty() && soup.tetrahedron_tags.size() != soup.tetrahedra.size())

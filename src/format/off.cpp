@@ -7,7 +7,7 @@
 namespace tetrarch::format {
 namespace {
 
-constexpr bool swapped = swapped_if(std::endian::big);
+constexpr bool off_swapped = swapped_if(std::endian::big);
 
 /// What the first word says that points have besides their three coordinates, in this order: a normal, a
 /// color, a place in a texture.
@@ -94,7 +94,7 @@ private:
 
   std::int64_t integer(std::string_view expected, std::int64_t least, std::int64_t greatest) {
     if (!binary_) return in_.integer(expected, least, greatest);
-    const std::int64_t value = load<std::int32_t>(in_.bytes(4, expected).data(), swapped);
+    const std::int64_t value = load<std::int32_t>(in_.bytes(4, expected).data(), off_swapped);
     if (value < least || value > greatest) in_.fail(std::to_string(value), expected);
     return value;
   }
@@ -102,7 +102,7 @@ private:
   void read_point(int number) {
     std::array<double, 3> p{};
     for (double& x : p)
-      x = binary_ ? static_cast<double>(load<float>(in_.bytes(4, "a coordinate").data(), swapped))
+      x = binary_ ? static_cast<double>(load<float>(in_.bytes(4, "a coordinate").data(), off_swapped))
                   : in_.number("a coordinate");
     note(soup_.point_labels, number, in_.line());
     soup_.points.push_back(p);

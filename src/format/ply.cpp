@@ -26,7 +26,7 @@ struct Property {
   std::optional<Scalar> count; ///< the type of the length, of a list
 };
 
-struct Element {
+struct PlyElement {
   std::string name;
   std::int64_t count = 0;
   std::vector<Property> properties;
@@ -38,7 +38,7 @@ public:
 
   Soup read() && {
     read_header();
-    for (const Element& element : elements_) {
+    for (const PlyElement& element : elements_) {
       if (!is_vertex(element) && !is_face(element) && !is_strip(element))
         soup_.passed_over.note("element " + element.name, element.count);
       if (element.properties.empty()) continue;
@@ -100,9 +100,9 @@ private:
     return property;
   }
 
-  static bool is_vertex(const Element& element) { return element.name == "vertex"; }
-  static bool is_face(const Element& element) { return element.name == "face"; }
-  static bool is_strip(const Element& element) { return element.name == "tristrips"; }
+  static bool is_vertex(const PlyElement& element) { return element.name == "vertex"; }
+  static bool is_face(const PlyElement& element) { return element.name == "face"; }
+  static bool is_strip(const PlyElement& element) { return element.name == "tristrips"; }
   static bool lists_vertices(const Property& property) {
     return property.count && (property.name == "vertex_indices" || property.name == "vertex_index");
   }
@@ -111,13 +111,13 @@ private:
   }
 
   /// Those of vertices and faces that nobody reads.
-  void note_properties(const Element& element) {
+  void note_properties(const PlyElement& element) {
     for (const Property& property : element.properties)
       if ((is_vertex(element) && !is_coordinate(property)) || (is_face(element) && !lists_vertices(property)))
         soup_.passed_over.note("property " + property.name + " of a " + element.name, element.count);
   }
 
-  void read_one(const Element& element, int number) {
+  void read_one(const PlyElement& element, int number) {
     std::array<double, 3> point{};
     for (const Property& property : element.properties) {
       if (lists_vertices(property) && (is_face(element) || is_strip(element))) {
@@ -186,7 +186,7 @@ private:
   Soup soup_;
   Cells cells_{soup_};
   std::vector<int> corners_;
-  std::vector<Element> elements_;
+  std::vector<PlyElement> elements_;
   bool binary_ = false;
   bool swapped_ = false;
 };

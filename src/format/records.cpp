@@ -23,7 +23,7 @@ namespace {
 using detail::fail;
 using detail::reason;
 
-constexpr std::string_view first_word = "tetrarch-records 1 ";
+constexpr std::string_view first_words = "tetrarch-records 1 ";
 constexpr std::size_t sum_length = 8;
 
 /// CRC-32 in eight digits of sixteen.
@@ -70,16 +70,16 @@ struct Records::State {
 
   void read(const std::string& heading) {
     const std::string content = read_file(path);
-    const std::string wanted = std::string(first_word) + heading;
+    const std::string wanted = std::string(first_words) + heading;
     std::size_t at = content.find('\n');
     if (at == std::string::npos) { // nothing but the beginning of a heading
       if (!wanted.starts_with(content)) fail(path, "is no file of records");
       return;
     }
     if (const std::string_view found(content.data(), at); found != wanted)
-      fail(path, found.starts_with(first_word) ? "holds '" + std::string(found.substr(first_word.size())) +
-                                                     "', expected '" + heading + "'"
-                                               : "is no file of records");
+      fail(path, found.starts_with(first_words) ? "holds '" + std::string(found.substr(first_words.size())) +
+                                                      "', expected '" + heading + "'"
+                                                : "is no file of records");
     end = static_cast<off_t>(++at);
     for (std::size_t next = 0; (next = content.find('\n', at)) != std::string::npos; at = next + 1) {
       if (!keep(std::string_view(content).substr(at, next - at))) ++damaged;
@@ -107,7 +107,7 @@ Records::Records(const std::string& path, const std::string& heading, Open how)
   if (how == Open::read) return;
   if (how == Open::fresh && !state_->texts.empty()) fail(path, "holds records already, expected none");
   if (::ftruncate(state_->file.get(), state_->end) != 0) fail(path, "cannot be written: " + reason(errno));
-  if (state_->end == 0) state_->append(std::string(first_word) + heading + "\n");
+  if (state_->end == 0) state_->append(std::string(first_words) + heading + "\n");
 }
 
 Records::~Records() = default;

@@ -16,7 +16,7 @@
 namespace tetrarch::format {
 namespace {
 
-constexpr std::int64_t many = std::numeric_limits<int>::max();
+constexpr std::int64_t largest_count = std::numeric_limits<int>::max();
 
 using Words = std::span<const std::string_view>;
 
@@ -87,8 +87,8 @@ bool is_curve(const Slope& slope) {
 }
 
 std::vector<Slope> read_cusps(TextCursor& in) {
-  const std::int64_t torus = in.integer("the number of torus cusps", 0, many);
-  const std::int64_t klein = in.integer("the number of Klein bottle cusps", 0, many);
+  const std::int64_t torus = in.integer("the number of torus cusps", 0, largest_count);
+  const std::int64_t klein = in.integer("the number of Klein bottle cusps", 0, largest_count);
   std::vector<Slope> slopes;
   for (std::int64_t c = 0; c < torus + klein; ++c) {
     word(in, cusp_kinds, "torus or Klein, the kind of cusp " + std::to_string(c));
@@ -108,14 +108,15 @@ struct TetrahedronData {
 
 TetrahedronData read_tetrahedron_data(TextCursor& in, std::size_t cusps, const std::string& whose) {
   // Where no cusp was stated, SnapPea finds them itself and the indices mean nothing.
-  const std::int64_t last_cusp = cusps > 0 ? static_cast<std::int64_t>(cusps) - 1 : many;
+  const std::int64_t last_cusp = cusps > 0 ? static_cast<std::int64_t>(cusps) - 1 : largest_count;
   TetrahedronData data;
   for (std::int64_t& cusp : data.cusp) cusp = in.integer("a cusp index of " + whose, -1, last_cusp);
   for (auto& curve : data.curve)
     for (int sheet = 0; sheet < 2; ++sheet)
       for (auto& corner : curve)
         for (std::int64_t& crossings : corner)
-          crossings += in.integer("64 integers, the peripheral curves of " + whose, -many, many);
+          crossings +=
+              in.integer("64 integers, the peripheral curves of " + whose, -largest_count, largest_count);
   for (int k = 0; k < 2; ++k) in.number("the shape of " + whose + ", two numbers", false);
   return data;
 }
@@ -226,7 +227,7 @@ Everything read_everything(std::string_view text, const std::string& source) {
   std::vector<Slope> slopes = read_cusps(in);
   const std::size_t cusps = slopes.size();
   Curves curves(std::move(slopes));
-  const std::int64_t tetrahedra = in.integer("the number of tetrahedra, at least 1", 1, many);
+  const std::int64_t tetrahedra = in.integer("the number of tetrahedra, at least 1", 1, largest_count);
   GluingLines gluings(in);
   for (std::int64_t t = 0; t < tetrahedra; ++t) {
     gluings.read_one(tetrahedra);

@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t header_size = 80;
 constexpr std::size_t facet_size = 50; ///< a normal and three corners of floats, and two bytes
-constexpr bool swapped = swapped_if(std::endian::little);
+constexpr bool stl_swapped = swapped_if(std::endian::little);
 
 using Point = std::array<double, 3>;
 
@@ -125,10 +125,10 @@ private:
 };
 
 std::uint64_t facets_announced(std::string_view text) {
-  return load<std::uint32_t>(text.data() + header_size, swapped);
+  return load<std::uint32_t>(text.data() + header_size, stl_swapped);
 }
 
-Soup read_binary(std::string_view text, const std::string& source) {
+Soup read_binary_stl(std::string_view text, const std::string& source) {
   Welder welder(source);
   const std::uint64_t facets = facets_announced(text);
   const std::uint64_t room = (text.size() - header_size - 4) / facet_size;
@@ -142,7 +142,7 @@ Soup read_binary(std::string_view text, const std::string& source) {
     for (std::size_t c = 0; c < 3; ++c) {
       const char* const raw = text.data() + at + 12 * (c + 1);
       const auto x = [&](std::size_t axis) {
-        return static_cast<double>(load<float>(raw + 4 * axis, swapped));
+        return static_cast<double>(load<float>(raw + 4 * axis, stl_swapped));
       };
       corners[c] = welder.point({x(0), x(1), x(2)}, 0);
     }
@@ -167,10 +167,11 @@ bool is_binary_stl(std::string_view text) {
 }
 
 Soup read_stl(std::string_view text, const std::string& source) {
-  if (is_binary_stl(text)) return read_binary(text, source);
+  if (is_binary_stl(text)) return read_binary_stl(text, source);
   text = without_byte_order_mark(text);
   const bool is_text = capitals(trimmed(text.substr(0, header_size)).substr(0, 5)) == "SOLID";
-  if (text.size() >= header_size + 4 && (!is_text || has_zero_bytes(text))) return read_binary(text, source);
+  if (text.size() >= header_size + 4 && (!is_text || has_zero_bytes(text)))
+    return read_binary_stl(text, source);
   return TextReader(text, source).read();
 }
 

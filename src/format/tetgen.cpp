@@ -8,7 +8,7 @@ namespace tetrarch::format {
 namespace {
 
 /// "1 0 0" and an end of line are as short as a point or a tetrahedron can be.
-constexpr std::size_t shortest_line = 6;
+constexpr std::size_t shortest_tetgen_line = 6;
 constexpr std::int64_t most_attributes = 1000;
 
 void require_end(MeshCursor& in) {
@@ -54,7 +54,7 @@ std::int64_t read_points(MeshCursor& in, Soup& soup) {
   const std::int64_t dimension = next_or(in, 3, "dimension 2 or 3", 2, 3);
   const std::int64_t attributes = next_or(in, 0, "the number of attributes", 0, most_attributes);
   const std::int64_t markers = next_or(in, 0, "0 or 1 for a boundary marker", 0, 1);
-  soup.points.reserve(in.believable(count, shortest_line));
+  soup.points.reserve(in.believable(count, shortest_tetgen_line));
   soup.first_number = !in.at_end() && in.peek() == "0" ? 0 : 1;
   Rest rest;
   for (std::int64_t i = 0; i < count; ++i) {
@@ -91,7 +91,7 @@ void read_elements(MeshCursor& in, Soup& soup, Cells& cells, std::int64_t dimens
   const std::int64_t count = in.integer("the number of elements", 0, most_elements - 1);
   const Kind kind = kind_of_elements(in, dimension);
   const std::int64_t attributes = next_or(in, 0, "the number of attributes", 0, most_attributes);
-  soup.tetrahedra.reserve(kind.shape == Shape::tetrahedron ? in.believable(count, shortest_line) : 0);
+  soup.tetrahedra.reserve(kind.shape == Shape::tetrahedron ? in.believable(count, shortest_tetgen_line) : 0);
   Rest rest;
   std::array<int, 10> nodes{};
   for (std::int64_t i = 0; i < count; ++i) {

@@ -12,7 +12,7 @@
 namespace tetrarch::format {
 namespace {
 
-[[noreturn]] void fail(const char* form, const Place& place) {
+[[noreturn]] void refuse_damaged(const char* form, const Place& place) {
   throw InputError(place, std::string("the data compressed by ") + form + " are damaged");
 }
 
@@ -21,17 +21,17 @@ constexpr std::size_t most_ratio = 20000;
 
 std::string unpack_lz4(std::string_view packed, std::size_t size, const Place& place) {
   constexpr std::size_t most = std::numeric_limits<int>::max();
-  if (packed.size() > most || size > most || size / most_ratio > packed.size()) fail("LZ4", place);
+  if (packed.size() > most || size > most || size / most_ratio > packed.size()) refuse_damaged("LZ4", place);
   std::string out(size, '\0');
   const int done = ::LZ4_decompress_safe(packed.data(), out.data(), static_cast<int>(packed.size()),
                                          static_cast<int>(size));
-  if (done < 0) fail("LZ4", place);
+  if (done < 0) refuse_damaged("LZ4", place);
   out.resize(static_cast<std::size_t>(done));
   return out;
 }
 
 std::string unpack_lzma(std::string_view packed, std::size_t size, const Place& place) {
-  if (size / most_ratio > packed.size()) fail("LZMA", place);
+  if (size / most_ratio > packed.size()) refuse_damaged("LZMA", place);
   std::string out(size, '\0');
   std::uint64_t memory = std::uint64_t{1} << 28; // the highest preset's dictionary takes 65 MiB
   std::size_t read = 0;
@@ -41,7 +41,7 @@ std::string unpack_lzma(std::string_view packed, std::size_t size, const Place& 
       &memory, 0, nullptr, reinterpret_cast<const std::uint8_t*>(packed.data()), &read, packed.size(),
       reinterpret_cast<std::uint8_t*>(out.data()), &written, size);
   // NOLINTEND(cppcoreguidelines-pro-type-reinterpret-cast)
-  if (result != LZMA_OK) fail("LZMA", place);
+  if (result != LZMA_OK) refuse_damaged("LZMA", place);
   out.resize(written);
   return out;
 }

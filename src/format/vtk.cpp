@@ -236,7 +236,7 @@ private:
   bool polydata_ = false;
 };
 
-void append_labels(std::string& out, const Soup& soup) {
+void append_cell_labels(std::string& out, const Soup& soup) {
   const auto append = [&out](std::size_t count, const std::vector<int>& tags) {
     for (std::size_t i = 0; i < count; ++i) {
       append_number(out, tags.empty() ? 0 : tags[i]);
@@ -274,7 +274,7 @@ std::string write_vtk(const Soup& soup) {
   for (std::size_t i = 0; i < tetrahedra; ++i) out += "10\n";
   if (soup.triangle_tags.empty() && soup.tetrahedron_tags.empty()) return out;
   out += "CELL_DATA " + cells + "\nSCALARS " + std::string(label_name) + " int 1\nLOOKUP_TABLE default\n";
-  append_labels(out, soup);
+  append_cell_labels(out, soup);
   return out;
 }
 

@@ -15,42 +15,42 @@ struct VtkType {
   int nodes;
 };
 
-constexpr std::array<VtkType, 36> types{{{5, Shape::triangle, 3},
-                                         {8, Shape::quadrilateral, 4},
-                                         {9, Shape::quadrilateral, 4},
-                                         {10, Shape::tetrahedron, 4},
-                                         {11, Shape::hexahedron, 8},
-                                         {12, Shape::hexahedron, 8},
-                                         {13, Shape::prism, 6},
-                                         {14, Shape::pyramid, 5},
-                                         {15, Shape::pentagonal_prism, 10},
-                                         {16, Shape::hexagonal_prism, 12},
-                                         {22, Shape::triangle, 6},
-                                         {23, Shape::quadrilateral, 8},
-                                         {24, Shape::tetrahedron, 10},
-                                         {25, Shape::hexahedron, 20},
-                                         {26, Shape::prism, 15},
-                                         {27, Shape::pyramid, 13},
-                                         {28, Shape::quadrilateral, 9},
-                                         {29, Shape::hexahedron, 27},
-                                         {30, Shape::quadrilateral, 6},
-                                         {31, Shape::prism, 12},
-                                         {32, Shape::prism, 18},
-                                         {33, Shape::hexahedron, 24},
-                                         {34, Shape::triangle, 7},
-                                         {37, Shape::pyramid, 19},
-                                         {69, Shape::triangle, 0},
-                                         {70, Shape::quadrilateral, 0},
-                                         {71, Shape::tetrahedron, 0},
-                                         {72, Shape::hexahedron, 0},
-                                         {73, Shape::prism, 0},
-                                         {74, Shape::pyramid, 0},
-                                         {76, Shape::triangle, 0},
-                                         {77, Shape::quadrilateral, 0},
-                                         {78, Shape::tetrahedron, 0},
-                                         {79, Shape::hexahedron, 0},
-                                         {80, Shape::prism, 0},
-                                         {81, Shape::pyramid, 0}}};
+constexpr std::array<VtkType, 36> vtk_types{{{5, Shape::triangle, 3},
+                                             {8, Shape::quadrilateral, 4},
+                                             {9, Shape::quadrilateral, 4},
+                                             {10, Shape::tetrahedron, 4},
+                                             {11, Shape::hexahedron, 8},
+                                             {12, Shape::hexahedron, 8},
+                                             {13, Shape::prism, 6},
+                                             {14, Shape::pyramid, 5},
+                                             {15, Shape::pentagonal_prism, 10},
+                                             {16, Shape::hexagonal_prism, 12},
+                                             {22, Shape::triangle, 6},
+                                             {23, Shape::quadrilateral, 8},
+                                             {24, Shape::tetrahedron, 10},
+                                             {25, Shape::hexahedron, 20},
+                                             {26, Shape::prism, 15},
+                                             {27, Shape::pyramid, 13},
+                                             {28, Shape::quadrilateral, 9},
+                                             {29, Shape::hexahedron, 27},
+                                             {30, Shape::quadrilateral, 6},
+                                             {31, Shape::prism, 12},
+                                             {32, Shape::prism, 18},
+                                             {33, Shape::hexahedron, 24},
+                                             {34, Shape::triangle, 7},
+                                             {37, Shape::pyramid, 19},
+                                             {69, Shape::triangle, 0},
+                                             {70, Shape::quadrilateral, 0},
+                                             {71, Shape::tetrahedron, 0},
+                                             {72, Shape::hexahedron, 0},
+                                             {73, Shape::prism, 0},
+                                             {74, Shape::pyramid, 0},
+                                             {76, Shape::triangle, 0},
+                                             {77, Shape::quadrilateral, 0},
+                                             {78, Shape::tetrahedron, 0},
+                                             {79, Shape::hexahedron, 0},
+                                             {80, Shape::prism, 0},
+                                             {81, Shape::pyramid, 0}}};
 
 constexpr int pixel = 8;
 constexpr int voxel = 11;
@@ -61,7 +61,7 @@ constexpr int voxel = 11;
                               std::to_string(name.number) + ", expected " + std::to_string(expected));
 }
 
-bool is_one_of(int type, std::initializer_list<int> list) {
+bool is_type_among(int type, std::initializer_list<int> list) {
   return std::find(list.begin(), list.end(), type) != list.end();
 }
 
@@ -83,8 +83,8 @@ std::vector<int> in_our_order(int type, Shape shape, std::span<const int> points
 void add_vtk_cell(Cells& cells, Ledger& passed_over, int type, std::span<const int> points,
                   const CellName& name, const Place& place) {
   if (type == 0) return; // the empty cell
-  if (is_one_of(type, {1, 2})) return passed_over.note("point element");
-  if (is_one_of(type, {3, 4, 21, 35, 68, 75})) return passed_over.note("line element");
+  if (is_type_among(type, {1, 2})) return passed_over.note("point element");
+  if (is_type_among(type, {3, 4, 21, 35, 68, 75})) return passed_over.note("line element");
   if (type == vtk_strip) return cells.add_strip(points, name);
   if (type == vtk_polygon) return cells.add_polygon(points, name);
   constexpr int quadratic_polygon = 36;
@@ -92,9 +92,9 @@ void add_vtk_cell(Cells& cells, Ledger& passed_over, int type, std::span<const i
     passed_over.note("midside node of a polygon", static_cast<std::int64_t>(points.size() / 2));
     return cells.add_polygon(points.first(points.size() / 2), name);
   }
-  const auto known =
-      std::find_if(types.begin(), types.end(), [type](const VtkType& row) { return row.type == type; });
-  if (known == types.end())
+  const auto known = std::find_if(vtk_types.begin(), vtk_types.end(),
+                                  [type](const VtkType& row) { return row.type == type; });
+  if (known == vtk_types.end())
     throw InputError(place, "found a cell of type " + std::to_string(type) +
                                 ", expected triangles, quadrilaterals, polygons, tetrahedra, pyramids, "
                                 "prisms, hexahedra or polyhedra");

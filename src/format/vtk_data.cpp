@@ -7,7 +7,7 @@
 namespace tetrarch::format {
 namespace {
 
-constexpr bool swapped = swapped_if(std::endian::big);
+constexpr bool vtk_swapped = swapped_if(std::endian::big);
 
 /// The names that the legacy format gives its number types. Whatever its size in memory, an id has 4 bytes in
 /// a file.
@@ -43,7 +43,7 @@ double VtkNumbers::real(VtkScalar type) {
   if (!binary) return in_.number("a coordinate");
   const char* const raw = in_.bytes(type.size, "a coordinate").data();
   if (!type.real) in_.fail("integer coordinates", "float or double");
-  return type.size == 4 ? static_cast<double>(load<float>(raw, swapped)) : load<double>(raw, swapped);
+  return type.size == 4 ? static_cast<double>(load<float>(raw, vtk_swapped)) : load<double>(raw, vtk_swapped);
 }
 
 std::int64_t VtkNumbers::integer(std::string_view type_name, std::string_view expected, std::int64_t least) {
@@ -51,8 +51,8 @@ std::int64_t VtkNumbers::integer(std::string_view type_name, std::string_view ex
   const VtkScalar type = this->type(type_name);
   const char* const raw = in_.bytes(type.size, expected).data();
   std::int64_t value = least - 1;
-  if (!type.real && type.size == 4) value = load<std::int32_t>(raw, swapped);
-  if (!type.real && type.size == 8) value = load<std::int64_t>(raw, swapped);
+  if (!type.real && type.size == 4) value = load<std::int32_t>(raw, vtk_swapped);
+  if (!type.real && type.size == 8) value = load<std::int64_t>(raw, vtk_swapped);
   if (value < least || value > most_elements) in_.fail(std::to_string(value), expected);
   return value;
 }
@@ -81,9 +81,9 @@ std::vector<int> VtkNumbers::labels(std::string_view type_name, std::int64_t cou
     if (type.size == 1)
       value =
           type_name.starts_with("unsigned") ? load<std::uint8_t>(raw, false) : load<std::int8_t>(raw, false);
-    if (type.size == 2) value = load<std::int16_t>(raw, swapped);
-    if (type.size == 4) value = load<std::int32_t>(raw, swapped);
-    if (type.size == 8) value = load<std::int64_t>(raw, swapped);
+    if (type.size == 2) value = load<std::int16_t>(raw, vtk_swapped);
+    if (type.size == 4) value = load<std::int32_t>(raw, vtk_swapped);
+    if (type.size == 8) value = load<std::int64_t>(raw, vtk_swapped);
     const bool fits = value >= std::numeric_limits<int>::min() && value <= std::numeric_limits<int>::max();
     out.push_back(fits ? static_cast<int>(value) : 0);
   }

@@ -9,7 +9,8 @@
 namespace tetrarch::format {
 namespace {
 
-[[noreturn]] void fail(const VtuStorage& storage, const pugi::xml_node& array, const std::string& what) {
+[[noreturn]] void refuse_array(const VtuStorage& storage, const pugi::xml_node& array,
+                               const std::string& what) {
   const std::string name = array.attribute("Name").value();
   throw InputError(Place{storage.source, 0}, "the array " + in_quotes(name) + " " + what);
 }
@@ -32,13 +33,13 @@ public:
     if (std::string_view(array.attribute("format").value()) != "appended") return;
     const auto offset = parse_integer(array.attribute("offset").value());
     if (!offset || *offset < 0 || static_cast<std::uint64_t>(*offset) > storage.appended.size())
-      fail(storage, array, "has no place in the appended data");
+      refuse_array(storage, array, "has no place in the appended data");
     text_ = storage.appended.substr(static_cast<std::size_t>(*offset));
     base64_ = storage.appended_base64;
   }
 
   std::string take(std::uint64_t size) {
-    if (size > text_.size() + buffer_.size()) fail(storage_, array_, "ends too early");
+    if (size > text_.size() + buffer_.size()) refuse_array(storage_, array_, "ends too early");
     while (base64_ && buffer_.size() < size) decode_group();
     std::string out;
     if (base64_) {
@@ -63,7 +64,7 @@ private:
     int padding = 0;
     for (int& digit : digits) {
       while (!text_.empty() && is_space(text_.front())) text_.remove_prefix(1);
-      if (text_.empty()) fail(storage_, array_, "ends too early");
+      if (text_.empty()) refuse_array(storage_, array_, "ends too early");
       const char c = text_.front();
       text_.remove_prefix(1);
       digit = base64_digit(c);
@@ -71,7 +72,8 @@ private:
         ++padding;
         digit = 0;
       } else if (digit < 0 || padding > 0) {
-        fail(storage_, array_, "has " + in_quotes(std::string_view(&c, 1)) + ", expected base64 data");
+        refuse_array(storage_, array_,
+                     "has " + in_quotes(std::string_view(&c, 1)) + ", expected base64 data");
       }
     }
     const int bits = digits[0] << 18 | digits[1] << 12 | digits[2] << 6 | digits[3];
@@ -96,9 +98,9 @@ std::string unpacked(const VtuStorage& storage, const pugi::xml_node& array, Byt
   for (std::uint64_t b = 0; b < blocks; ++b) {
     const std::uint64_t wanted = b + 1 == blocks && last > 0 ? last : size;
     if (out.size() > longest_file || wanted > longest_file - out.size())
-      fail(storage, array, "has a block of another length than announced");
+      refuse_array(storage, array, "has a block of another length than announced");
     const std::string block = unpack(storage.packing, bytes.take(packed[b]), wanted, {storage.source, 0});
-    if (block.size() != wanted) fail(storage, array, "has a block of another length than announced");
+    if (block.size() != wanted) refuse_array(storage, array, "has a block of another length than announced");
     out += block;
   }
   return out;
@@ -111,7 +113,7 @@ std::vector<T> converted(const VtuStorage& storage, const pugi::xml_node& array,
   for (std::size_t at = 0; at + sizeof(Stored) <= raw.size(); at += sizeof(Stored)) {
     const Stored value = load<Stored>(raw.data() + at, storage.swapped);
     if constexpr (std::is_integral_v<T> && std::is_integral_v<Stored>)
-      if (!std::in_range<T>(value)) fail(storage, array, "holds the number " + std::to_string(value));
+      if (!std::in_range<T>(value)) refuse_array(storage, array, "holds the number " + std::to_string(value));
     out.push_back(static_cast<T>(value));
   }
   return out;
@@ -136,7 +138,7 @@ std::vector<T> from_bytes(const VtuStorage& storage, const pugi::xml_node& array
     if (type == "Int64") return converted<std::int64_t, T>(storage, array, raw);
     if (type == "UInt64") return converted<std::uint64_t, T>(storage, array, raw);
   }
-  fail(storage, array, "has numbers of type " + in_quotes(type) + ", which do not belong there");
+  refuse_array(storage, array, "has numbers of type " + in_quotes(type) + ", which do not belong there");
 }
 
 template <class T>
@@ -148,7 +150,7 @@ std::vector<T> from_text(const VtuStorage& storage, const pugi::xml_node& array)
     const auto real = lenient_double(token);
     const auto integer = lenient_integer(token);
     const bool fits = std::is_same_v<T, double> ? real.has_value() : integer && std::in_range<int>(*integer);
-    if (!fits) fail(storage, array, "has " + in_quotes(token) + ", expected a number");
+    if (!fits) refuse_array(storage, array, "has " + in_quotes(token) + ", expected a number");
     if constexpr (std::is_same_v<T, double>) {
       out.push_back(*real);
     } else {
@@ -166,7 +168,8 @@ std::vector<T> read_array(const VtuStorage& storage, const pugi::xml_node& array
   const std::string_view format = array.attribute("format").value();
   if (format == "ascii" || format.empty()) return from_text<T>(storage, array);
   if (format != "binary" && format != "appended")
-    fail(storage, array, "has the format " + in_quotes(format) + ", expected ascii, binary or appended");
+    refuse_array(storage, array,
+                 "has the format " + in_quotes(format) + ", expected ascii, binary or appended");
   return from_bytes<T>(storage, array);
 }
 

@@ -37,9 +37,9 @@ void visit_neighbors(const Grid& grid, std::size_t cell, const Visit& visit) {
 }
 
 /// One side, inside or outside: how full cells are of it, which of them it meets, and its largest piece.
-class Side {
+class Half {
 public:
-  Side(const Grid& grid, std::vector<float> fullness, std::vector<char> met, const std::vector<char>& taken)
+  Half(const Grid& grid, std::vector<float> fullness, std::vector<char> met, const std::vector<char>& taken)
       : grid_(grid), fullness_(std::move(fullness)), met_(std::move(met)), piece_(largest_piece(taken)),
         covered_(piece_.size()) {
     for (std::size_t k = 0; k < piece_.size(); ++k)
@@ -171,7 +171,7 @@ std::vector<float> with_limbs(const Grid& grid, std::vector<float> filled, const
       fullness[k] = 1 - filled[k];
       meets[k] = filled[k] < 1 ? 1 : 0;
     }
-    Side side(grid, std::move(fullness), std::move(meets), taken);
+    Half side(grid, std::move(fullness), std::move(meets), taken);
     for (int ways = 0; ways < most_ways; ++ways) {
       progress.step("limbs", ways / static_cast<double>(most_ways));
       std::vector<std::size_t> way = side.way();

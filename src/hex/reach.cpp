@@ -15,7 +15,7 @@ namespace {
 using namespace numeric;
 
 /// A triangle has so many parts along a side at most.
-constexpr int most_parts = 64;
+constexpr int most_reach_parts = 64;
 
 /// The weights of a triangle's corners at a point of it.
 std::array<double, 3> weights_at(const Point& p, const std::array<Point, 3>& t) {
@@ -36,7 +36,7 @@ std::vector<SurfaceSample> surface_samples(const Targets& targets, double spacin
   const NearestTriangle& whole = targets.whole();
   for (int k = 0; k < whole.size(); ++k) {
     const auto& t = whole.corners(k);
-    const std::vector<Point> points = spread_points(t, spacing, most_parts);
+    const std::vector<Point> points = spread_points(t, spacing, most_reach_parts);
     const double area = norm(cross(t[1] - t[0], t[2] - t[0])) / 2 / static_cast<double>(points.size());
     for (const Point& p : points) result.push_back({p, whole.normal(k), area});
   }

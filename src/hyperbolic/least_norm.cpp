@@ -9,8 +9,6 @@
 namespace tetrarch::hyperbolic {
 namespace {
 
-/// No step changes a length by more than this.
-constexpr double longest_step = 2;
 /// Eigenvalues below this part of the largest are no equations. Away from the structure those of a finite
 /// vertex are of the size of K, hence the second bound, which is taken where K is small.
 constexpr double smallest_part = 1e-9;
@@ -47,8 +45,8 @@ double length_at(const Problem& problem, std::size_t e, double length) {
   return a == b && a != VertexType::ideal ? std::abs(length) : length;
 }
 
-bool line_search(const Problem& problem, const State<double>& now, const std::vector<double>& step,
-                 State<double>& trial) {
+bool curvature_search(const Problem& problem, const State<double>& now, const std::vector<double>& step,
+                      State<double>& trial) {
   const double size = kernel::largest_magnitude(step);
   if (!std::isfinite(size)) return false;
   const double before = now.squared_curvature();
@@ -76,7 +74,7 @@ Run<double> least_norm_newton(const Problem& problem, std::vector<double> start,
     run.last_step = kernel::largest_magnitude(step);
     if (run.state.longest() > goals.length_limit || run.iterations >= goals.max_iterations ||
         run.state.residual() <= 16 * std::numeric_limits<double>::epsilon() ||
-        !line_search(problem, run.state, step, trial))
+        !curvature_search(problem, run.state, step, trial))
       return run;
     std::swap(run.state, trial);
   }

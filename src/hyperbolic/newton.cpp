@@ -8,10 +8,6 @@
 namespace tetrarch::hyperbolic {
 namespace {
 
-/// No step changes a length by more than this: beyond, exponentials of the lengths make the quadratic model
-/// meaningless.
-constexpr double longest_step = 2;
-
 /// Minus the derivative of F along `step`.
 template <class Scalar>
 Scalar descent(const State<Scalar>& state, const std::vector<Scalar>& step) {

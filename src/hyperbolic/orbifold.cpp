@@ -14,7 +14,7 @@
 namespace tetrarch::hyperbolic {
 namespace {
 
-constexpr std::array<const char*, orbifold_outcome_count> outcome_names{
+constexpr std::array<const char*, orbifold_outcome_count> orbifold_outcome_names{
     "geometric",   "turned_over", "bad_vertex",     "null_edge",
     "low_valence", "not_found",   "boundary_faces", "invalid"};
 
@@ -47,7 +47,7 @@ bool is_bad(const SurfaceType& link, const std::vector<double>& points) {
   return link.is_sphere() && (points.size() == 1 || (points.size() == 2 && points[0] != points[1]));
 }
 
-OrbifoldStructure obstructed(OrbifoldOutcome outcome, EdgeId edge, VertexId vertex = VertexId()) {
+OrbifoldStructure orbifold_obstructed(OrbifoldOutcome outcome, EdgeId edge, VertexId vertex = VertexId()) {
   OrbifoldStructure result;
   result.outcome = outcome;
   result.edge = edge;
@@ -220,7 +220,7 @@ private:
 } // namespace
 
 const char* to_string(OrbifoldOutcome outcome) {
-  return outcome_names[static_cast<std::size_t>(outcome)];
+  return orbifold_outcome_names[static_cast<std::size_t>(outcome)];
 }
 
 const char* to_string(OrbifoldMethod method) {
@@ -246,21 +246,22 @@ Table<VertexId, double> orbifold_euler(const Skeleton& skeleton, const EdgeOrder
 }
 
 std::optional<OrbifoldStructure> why_no_orbifold(const Skeleton& skeleton, const EdgeOrders& orders) {
-  if (skeleton.tetrahedron_count() == 0) return obstructed(OrbifoldOutcome::invalid, EdgeId());
+  if (skeleton.tetrahedron_count() == 0) return orbifold_obstructed(OrbifoldOutcome::invalid, EdgeId());
   for (const EdgeId e : all<EdgeId>(skeleton.edge_count()))
-    if (skeleton.is_reversed(e)) return obstructed(OrbifoldOutcome::invalid, e);
-  if (skeleton.has_boundary_faces()) return obstructed(OrbifoldOutcome::boundary_faces, EdgeId());
+    if (skeleton.is_reversed(e)) return orbifold_obstructed(OrbifoldOutcome::invalid, e);
+  if (skeleton.has_boundary_faces()) return orbifold_obstructed(OrbifoldOutcome::boundary_faces, EdgeId());
   const auto points = cone_points(skeleton, orders);
   for (const VertexId v : all<VertexId>(skeleton.vertex_count()))
-    if (is_bad(skeleton.link(v), points[v])) return obstructed(OrbifoldOutcome::bad_vertex, EdgeId(), v);
+    if (is_bad(skeleton.link(v), points[v]))
+      return orbifold_obstructed(OrbifoldOutcome::bad_vertex, EdgeId(), v);
   const Table<VertexId, double> euler = orbifold_euler(skeleton, orders);
   for (const EdgeId e : all<EdgeId>(skeleton.edge_count())) {
     const auto [a, b] = skeleton.ends(e);
     if (orders[e] == 0) {
       if (type_of(euler[a]) == VertexType::ideal && type_of(euler[b]) == VertexType::ideal)
-        return obstructed(OrbifoldOutcome::null_edge, e);
+        return orbifold_obstructed(OrbifoldOutcome::null_edge, e);
     } else if (skeleton.valence(e) * orders[e] <= 1) {
-      return obstructed(OrbifoldOutcome::low_valence, e);
+      return orbifold_obstructed(OrbifoldOutcome::low_valence, e);
     }
   }
   return std::nullopt;

@@ -12,7 +12,7 @@ namespace tetrarch::hyperbolic {
 namespace {
 
 /// What no change of the triangulation mends.
-bool hopeless(OrbifoldOutcome outcome) {
+bool orbifold_hopeless(OrbifoldOutcome outcome) {
   return outcome == OrbifoldOutcome::bad_vertex || outcome == OrbifoldOutcome::boundary_faces ||
          outcome == OrbifoldOutcome::invalid;
 }
@@ -85,7 +85,7 @@ private:
                                          options_.solve, progress_.silent());
     const bool first = found_.attempts++ == 0;
     ++found_.seen[static_cast<std::size_t>(s.outcome)];
-    const bool over = s.outcome == OrbifoldOutcome::geometric || hopeless(s.outcome);
+    const bool over = s.outcome == OrbifoldOutcome::geometric || orbifold_hopeless(s.outcome);
     const int here = distance(s);
     const int there = distance(found_.structure);
     if (first || over || here < there || (here == there && s.solved())) {

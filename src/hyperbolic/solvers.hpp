@@ -8,6 +8,10 @@
 
 namespace tetrarch::hyperbolic {
 
+/// No step changes a length by more than this: beyond, exponentials of the lengths make the quadratic model
+/// meaningless.
+constexpr double longest_step = 2;
+
 /// When to stop, in the scalar's own terms.
 template <class Scalar>
 struct Goals {

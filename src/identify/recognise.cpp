@@ -17,7 +17,6 @@ namespace tetrarch::identify {
 namespace {
 
 using algebra::Integer;
-using By = Recognition::By;
 
 /// A vector of the plane that covers the torus; its lattice are the classes of H_1.
 struct Vector {
@@ -208,21 +207,23 @@ std::string handlebody_name(int genus, bool orientable) {
 }
 
 Recognition closed_by_group(const algebra::Presentation& group, bool orientable) {
-  if (group.generators == 0) return {"S^3", By::group, "closed with trivial group (Poincare conjecture)"};
+  if (group.generators == 0)
+    return {"S^3", Recognition::By::group, "closed with trivial group (Poincare conjecture)"};
   if (group.generators == 1) {
     const Integer p = cyclic_order(group);
     if (p == 0)
-      return {orientable ? "S^2 x S^1" : "S^2 x~ S^1", By::group,
+      return {orientable ? "S^2 x S^1" : "S^2 x~ S^1", Recognition::By::group,
               "closed with group Z: a sphere bundle over the circle (Hempel 5.2, Poincare conjecture)"};
-    if (p == 1) return {"S^3", By::group, "closed with trivial group (Poincare conjecture)"};
+    if (p == 1) return {"S^3", Recognition::By::group, "closed with trivial group (Poincare conjecture)"};
     // No other q is prime to these p, up to sign.
     const bool one_q = p <= 6 && p != 5;
-    return {lens_space_name(p, one_q ? "1" : "?"), By::group,
+    return {lens_space_name(p, one_q ? "1" : "?"), Recognition::By::group,
             "closed with group Z/" + p.str() + ": a lens space (geometrization)" +
                 (one_q ? "" : "; the group does not tell which, and the triangulation is not layered")};
   }
   if (orientable && is_visibly_z3(group))
-    return {"T^3", By::group, "closed orientable with group Z^3 (Waldhausen, Poincare conjecture)"};
+    return {"T^3", Recognition::By::group,
+            "closed orientable with group Z^3 (Waldhausen, Poincare conjecture)"};
   return {};
 }
 
@@ -234,7 +235,7 @@ Recognition bounded_by_group(const algebra::Presentation& group, bool orientable
   const int rank = group.generators;
   if (!group.relators.empty() || boundary.size() != 1 || boundary.front().type.euler != 2 - 2 * rank)
     return {};
-  return {handlebody_name(rank, orientable), By::group,
+  return {handlebody_name(rank, orientable), Recognition::By::group,
           "free group of rank " + std::to_string(rank) +
               ", and one boundary component, of Euler characteristic " + std::to_string(2 - 2 * rank) +
               " (Hempel 5.2, Poincare conjecture)"};
@@ -271,13 +272,14 @@ bool may_be_named(const Triangulation& tri) {
 
 Recognition recognise(const Triangulation& tri, const Progress& progress) {
   const Skeleton skeleton(tri);
-  if (tri.size() == 0 || !skeleton.is_connected()) return {"", By::nothing, "empty or not connected"};
+  if (tri.size() == 0 || !skeleton.is_connected())
+    return {"", Recognition::By::nothing, "empty or not connected"};
   if (const auto defects = check(skeleton); !defects.empty())
-    return {"", By::nothing, "no manifold: " + describe(defects.front(), skeleton)};
+    return {"", Recognition::By::nothing, "no manifold: " + describe(defects.front(), skeleton)};
   for (int t = 0; t < tri.size(); ++t)
     for (int f = 0; f < 4; ++f)
       if (const auto name = layered_lens_space(tri, {t, f}))
-        return {*name, By::triangulation, "a layered lens space"};
+        return {*name, Recognition::By::triangulation, "a layered lens space"};
 
   algebra::Presentation group;
   Recognition found = by_group(tri, group, progress);

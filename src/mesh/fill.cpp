@@ -98,8 +98,8 @@ std::string last_line(const std::string& text) {
 }
 
 /// Runs `program` on `input`, its output going to `log`. Throws InputError about `source`.
-void run(std::string program, std::string input, const std::string& log, const std::string& source,
-         const Progress& progress) {
+void run_tetgen(std::string program, std::string input, const std::string& log, const std::string& source,
+                const Progress& progress) {
   std::string options = "-pYQ"; // a surface, which stays as it is; quietly
   const std::array<char*, 4> arguments{program.data(), options.data(), input.data(), nullptr};
   const FileActions actions(log);
@@ -129,7 +129,7 @@ format::Soup fill(const format::Soup& surface, const Progress& progress, const s
   const TemporaryDirectory directory;
   const std::string input = directory / "surface.off";
   format::write_file_atomically(input, format::write_off(surface));
-  run(program, input, directory / "log", surface.source, progress);
+  run_tetgen(program, input, directory / "log", surface.source, progress);
   std::error_code unreadable;
   if (!fs::exists(directory / "surface.1.ele", unreadable))
     throw InputError(Place{surface.source, 0},

@@ -37,7 +37,7 @@ std::vector<int> linked_letters(const std::vector<int>& word, int first_letter) 
 }
 
 /// Some end at a vertex.
-SideEnd end_at(const Surface& surface, int vertex) {
+SideEnd some_end_at(const Surface& surface, int vertex) {
   for (int k = 0; k < surface.side_count(); ++k)
     if (surface.from(Side(k)) == vertex) return {Side(k), true};
   throw PreconditionError("there is no vertex " + std::to_string(vertex));
@@ -93,7 +93,7 @@ private:
     return ends;
   }
   std::vector<SideEnd> start(const Surface& open) const {
-    if (handles_ == 1) return {end_at(surface_.surface, base_)};
+    if (handles_ == 1) return {some_end_at(surface_.surface, base_)};
     return places(open,
                   [&](const Corner& c) { return is_at_base(c) && c.before == before_ && c.after == after_; });
   }

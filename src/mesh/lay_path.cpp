@@ -3,6 +3,7 @@
 
 #include "tetrarch/core/error.hpp"
 #include "tetrarch/mesh/cuts.hpp"
+#include "tetrarch/numeric/shortest_paths.hpp"
 #include "tetrarch/numeric/vector.hpp"
 
 #include <algorithm>
@@ -16,7 +17,7 @@
 namespace tetrarch::mesh {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
+using numeric::infinity;
 /// The cost of crossing a chord, in edges of mean length: a split is worth a detour, but not any detour.
 constexpr double chord_cost = 10.0;
 /// The cost of a vertex next to one that is not free, likewise: a path that keeps off leaves room for others.

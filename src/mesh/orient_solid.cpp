@@ -6,7 +6,7 @@ namespace {
 
 /// Gives signs to the component of `first` along its gluings; returns its tetrahedra, and in `orientable`
 /// whether the signs fit everywhere.
-std::vector<int> spread(const Triangulation& tri, int first, std::vector<int>& sign, bool& orientable) {
+std::vector<int> spread_solid(const Triangulation& tri, int first, std::vector<int>& sign, bool& orientable) {
   std::vector<int> members{first};
   sign[first] = 1;
   for (std::size_t next = 0; next < members.size(); ++next) {
@@ -47,7 +47,7 @@ std::vector<int> solid_signs(const format::Soup& soup, const Triangulation& tri,
   for (int t = 0; t < tri.size(); ++t) {
     if (sign[t] != 0 || !proper[t]) continue;
     bool orientable = true;
-    const std::vector<int> members = spread(tri, t, sign, orientable);
+    const std::vector<int> members = spread_solid(tri, t, sign, orientable);
     double total = 0;
     for (const int m : members) total += sign[m] * rounded_volume(soup, soup.tetrahedra[m]);
     // Not 0 before the loop over t is done: that would visit the members again.

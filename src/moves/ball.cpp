@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "tetrarch/moves/ball.hpp"
 
+#include "corners.hpp"
+
 #include "tetrarch/core/error.hpp"
 
 #include <algorithm>
@@ -11,13 +13,6 @@ namespace {
 
 constexpr int most_corners = 6;
 using Tets = boost::container::static_vector<Corners, 4>;
-
-/// Three corners as a set of bits.
-unsigned face_key(const Corners& corners, int face) {
-  unsigned key = 0;
-  for (const int v : face_vertex[face]) key |= 1U << static_cast<unsigned>(corners[v]);
-  return key;
-}
 
 /// The faces of a side of the move by their corners: found once on the boundary of the ball, twice inside.
 struct Faces {

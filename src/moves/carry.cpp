@@ -2,6 +2,7 @@
 #include "tetrarch/moves/monodromy.hpp"
 
 #include "carry_pinch.hpp"
+#include "corners.hpp"
 #include "regauge.hpp"
 
 #include "tetrarch/core/error.hpp"
@@ -17,13 +18,6 @@ namespace tetrarch::moves {
 namespace {
 
 // Balls.
-
-/// A face of a ball by its three corners, as bits.
-unsigned face_key(const Corners& corners, int face) {
-  unsigned key = 0;
-  for (const int v : face_vertex[face]) key |= 1U << static_cast<unsigned>(corners[v]);
-  return key;
-}
 
 template <class Tets>
 std::map<unsigned, int> face_counts(const Tets& tets) {

@@ -17,12 +17,12 @@ namespace tetrarch::moves {
 namespace {
 
 /// A crossing seen from one side.
-struct Crossing {
+struct NewCrossing {
   int tet;
   int vertex;
   int face;
   auto key() const { return std::tie(tet, vertex, face); }
-  bool operator<(const Crossing& other) const { return key() < other.key(); }
+  bool operator<(const NewCrossing& other) const { return key() < other.key(); }
 };
 
 /// Finds the words of all crossings of some new tetrahedra: empty along a tree that joins them to what is
@@ -55,13 +55,13 @@ public:
   }
 
 private:
-  Crossing back(const Crossing& c) const {
+  NewCrossing back(const NewCrossing& c) const {
     const Gluing g = complex_.gluing(TetFace{c.tet, c.face});
     return {g.tet, g.perm[c.vertex], g.perm[c.face]};
   }
 
-  void set(const Crossing& c, const FreeWord& word) {
-    const Crossing there = back(c);
+  void set(const NewCrossing& c, const FreeWord& word) {
+    const NewCrossing there = back(c);
     monodromy_.at(c.tet, c.vertex, c.face) = word;
     monodromy_.at(there.tet, there.vertex, there.face) = inverse(word);
     unknown_.erase(c);
@@ -71,8 +71,8 @@ private:
   void set_tree() {
     std::vector<int> parent(4 * static_cast<std::size_t>(complex_.slot_count()));
     std::iota(parent.begin(), parent.end(), 0);
-    const auto join = [&](const Crossing& c) {
-      const Crossing there = back(c);
+    const auto join = [&](const NewCrossing& c) {
+      const NewCrossing there = back(c);
       const int a = numeric::find_root(parent, 4 * c.tet + c.vertex);
       const int b = numeric::find_root(parent, 4 * there.tet + there.vertex);
       parent[static_cast<std::size_t>(a)] = b;
@@ -82,7 +82,7 @@ private:
       for (int f = 0; complex_.is_alive(t) && f < 4; ++f)
         for (const int v : face_vertex[f])
           if (unknown_.count({t, v, f}) == 0) join({t, v, f});
-    for (const Crossing& c : std::vector<Crossing>(unknown_.begin(), unknown_.end()))
+    for (const NewCrossing& c : std::vector<NewCrossing>(unknown_.begin(), unknown_.end()))
       if (join(c)) set(c, {});
   }
 
@@ -90,10 +90,10 @@ private:
   bool close(const Walk& start) {
     FreeWord before;
     FreeWord after;
-    std::optional<Crossing> open;
+    std::optional<NewCrossing> open;
     Walk w = start;
     do {
-      const Crossing c{w.tet, w.from(), w.left_face().face};
+      const NewCrossing c{w.tet, w.from(), w.left_face().face};
       if (unknown_.count(c) > 0) {
         if (open) return false;
         open = c;
@@ -110,7 +110,7 @@ private:
   const Complex& complex_;
   Monodromy& monodromy_;
   const std::vector<int>& fresh_;
-  std::set<Crossing> unknown_;
+  std::set<NewCrossing> unknown_;
 };
 
 } // namespace

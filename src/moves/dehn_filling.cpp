@@ -30,19 +30,19 @@ constexpr int last(int k) {
 }
 
 /// A side of a triangle, as seen from it: opposite its corner `side`, from corner next(side) to last(side).
-struct Side {
+struct TorusSide {
   int triangle = -1;
   int side = 0;
-  friend bool operator==(const Side&, const Side&) = default;
+  friend bool operator==(const TorusSide&, const TorusSide&) = default;
 };
 
 /// A triangle of the torus, corners counterclockwise.
 struct Triangle {
-  int tet = -1;                  ///< -1: there is none any more
-  std::array<int, 3> corner{};   ///< vertices of the tetrahedron
-  std::array<int, 3> vertex{};   ///< vertices of the torus
-  std::array<Side, 3> partner{}; ///< across each side; starts meet ends
-  std::array<Flow, 3> flow{};    ///< how often the curve comes in across each side
+  int tet = -1;                       ///< -1: there is none any more
+  std::array<int, 3> corner{};        ///< vertices of the tetrahedron
+  std::array<int, 3> vertex{};        ///< vertices of the torus
+  std::array<TorusSide, 3> partner{}; ///< across each side; starts meet ends
+  std::array<Flow, 3> flow{};         ///< how often the curve comes in across each side
   TetFace face() const { return {tet, 6 - corner[0] - corner[1] - corner[2]}; }
 };
 
@@ -69,12 +69,12 @@ public:
   }
 
 private:
-  Side partner(Side s) const { return torus_[s.triangle].partner[s.side]; }
-  Flow flow(Side s) const { return torus_[s.triangle].flow[s.side]; }
+  TorusSide partner(TorusSide s) const { return torus_[s.triangle].partner[s.side]; }
+  Flow flow(TorusSide s) const { return torus_[s.triangle].flow[s.side]; }
 
   /// The next corner around the same vertex: (triangle, corner).
-  Side around(Side corner) const {
-    const Side across = partner({corner.triangle, next(corner.side)});
+  TorusSide around(TorusSide corner) const {
+    const TorusSide across = partner({corner.triangle, next(corner.side)});
     return {across.triangle, next(across.side)};
   }
 
@@ -85,12 +85,12 @@ private:
         if (torus_[t].vertex[k] >= 0) continue;
         const int name = static_cast<int>(degree_.size());
         int degree = 0;
-        Side at{t, k};
+        TorusSide at{t, k};
         do {
           torus_[at.triangle].vertex[at.side] = name;
           ++degree;
           at = around(at);
-        } while (!(at == Side{t, k}));
+        } while (!(at == TorusSide{t, k}));
         degree_.push_back(degree);
         at_.push_back(at);
         queue_.insert({degree, name});
@@ -109,17 +109,17 @@ private:
   }
 
   /// The corners at a vertex.
-  std::vector<Side> corners_at(int vertex) const {
-    std::vector<Side> corners;
-    Side at = at_[vertex];
+  std::vector<TorusSide> corners_at(int vertex) const {
+    std::vector<TorusSide> corners;
+    TorusSide at = at_[vertex];
     for (int k = 0; k < degree_[vertex]; ++k, at = around(at)) corners.push_back(at);
     return corners;
   }
 
   /// Layers a tetrahedron on the two triangles at a side: (a0, a1, a2) and (b0, a2, a1) become (a0, a1, b0)
   /// and (b0, a2, a0). False, and nothing happens, if they are one.
-  bool turn(Side s) {
-    const Side across = partner(s);
+  bool turn(TorusSide s) {
+    const TorusSide across = partner(s);
     if (across.triangle == s.triangle) return false;
     const int ta = s.triangle, tb = across.triangle, i = s.side, j = across.side;
     const Triangle a = torus_[ta], b = torus_[tb];
@@ -130,16 +130,16 @@ private:
     const Flow inward = -a.flow[last(i)] - b.flow[next(j)];
     put(ta, {tet, {0, 1, 3}, {a0, a1, b0}, {}, {b.flow[next(j)], inward, a.flow[last(i)]}});
     put(tb, {tet, {3, 2, 0}, {b0, a2, a0}, {}, {a.flow[next(i)], -inward, b.flow[last(j)]}});
-    const std::array<std::pair<Side, Side>, 4> moved{{{{tb, next(j)}, {ta, 0}},
-                                                      {{ta, last(i)}, {ta, 2}},
-                                                      {{ta, next(i)}, {tb, 0}},
-                                                      {{tb, last(j)}, {tb, 2}}}};
-    const auto now = [&moved](Side old) {
+    const std::array<std::pair<TorusSide, TorusSide>, 4> moved{{{{tb, next(j)}, {ta, 0}},
+                                                                {{ta, last(i)}, {ta, 2}},
+                                                                {{ta, next(i)}, {tb, 0}},
+                                                                {{tb, last(j)}, {tb, 2}}}};
+    const auto now = [&moved](TorusSide old) {
       for (const auto& [from, to] : moved)
         if (old == from) return to;
       return old;
     };
-    const auto before = [&](Side old) {
+    const auto before = [&](TorusSide old) {
       return old.triangle == ta ? a.partner[old.side] : b.partner[old.side];
     };
     for (const auto& [from, to] : moved) join(to, now(before(from)));
@@ -151,23 +151,23 @@ private:
     return true;
   }
 
-  void join(Side s, Side other) {
+  void join(TorusSide s, TorusSide other) {
     torus_[s.triangle].partner[s.side] = other;
     torus_[other.triangle].partner[other.side] = s;
   }
 
   /// Layers a tetrahedron on the three triangles at a vertex; false if they are not three.
   bool cap(int vertex) {
-    const std::vector<Side> corners = corners_at(vertex);
+    const std::vector<TorusSide> corners = corners_at(vertex);
     if (corners.size() != 3) return false;
-    const std::array<Side, 3> c{corners[0], corners[1], corners[2]};
+    const std::array<TorusSide, 3> c{corners[0], corners[1], corners[2]};
     if (c[0].triangle == c[1].triangle || c[1].triangle == c[2].triangle || c[0].triangle == c[2].triangle)
       return false;
     // Counterclockwise around the vertex, which is number 3 of the tetrahedron, stand 0, 1, 2: corner c[k]
     // lies between k and next(k).
     const int tet = tri_.add_tetrahedra();
     Triangle made{tet, {0, 1, 2}, {}, {}, {}};
-    std::array<Side, 3> outer{};
+    std::array<TorusSide, 3> outer{};
     for (int k = 0; k < 3; ++k) {
       const Triangle& t = torus_[c[k].triangle];
       const int i = c[k].side;
@@ -178,13 +178,13 @@ private:
     }
     for (int k = 0; k < 3; ++k) made.partner[k] = partner(outer[k]);
     const int place = c[0].triangle;
-    for (const Side& s : c) torus_[s.triangle].tet = -1;
+    for (const TorusSide& s : c) torus_[s.triangle].tet = -1;
     queue_.erase({3, vertex});
     for (const int v : made.vertex) change_degree(v, -1);
     put(place, made);
-    const auto now = [&](Side old) {
+    const auto now = [&](TorusSide old) {
       for (int k = 0; k < 3; ++k)
-        if (old == outer[k]) return Side{place, k};
+        if (old == outer[k]) return TorusSide{place, k};
       return old;
     };
     for (int k = 0; k < 3; ++k) join({place, k}, now(made.partner[k]));
@@ -193,10 +193,10 @@ private:
 
   /// A turn after which the vertex has one corner less; false if there is none.
   bool lessen(int vertex) {
-    for (const Side& c : corners_at(vertex)) {
-      const Side s{c.triangle, next(c.side)};
+    for (const TorusSide& c : corners_at(vertex)) {
+      const TorusSide s{c.triangle, next(c.side)};
       const Triangle& t = torus_[c.triangle];
-      const Side across = partner(s);
+      const TorusSide across = partner(s);
       const bool loop = t.vertex[last(c.side)] == vertex;
       if (loop || t.vertex[next(c.side)] == vertex || torus_[across.triangle].vertex[across.side] == vertex)
         continue;
@@ -207,7 +207,7 @@ private:
 
   /// A turn of the edge opposite a corner: the vertex has one corner more. False if there is none.
   bool enlarge(int vertex) {
-    for (const Side& c : corners_at(vertex)) {
+    for (const TorusSide& c : corners_at(vertex)) {
       const Triangle& t = torus_[c.triangle];
       if (t.vertex[next(c.side)] != vertex && t.vertex[last(c.side)] != vertex && turn(c)) return true;
     }
@@ -226,13 +226,13 @@ private:
     if (++random_turns_ > random_turns_per_triangle * static_cast<int>(torus_.size()))
       throw PreconditionError("filled: the torus of a cusp was not brought to one vertex");
     for (;;) {
-      const Side s{random_.below(static_cast<int>(torus_.size())), random_.below(3)};
+      const TorusSide s{random_.below(static_cast<int>(torus_.size())), random_.below(3)};
       if (torus_[s.triangle].tet >= 0 && turn(s)) return;
     }
   }
 
   /// Turns edges of the torus of one vertex until the flows are 1, 1 and 2; the side of 2.
-  Side euclid() {
+  TorusSide euclid() {
     int number = 0;
     while (torus_[number].tet < 0) ++number;
     for (int layers = 0; layers < most_layers; ++layers) {
@@ -249,8 +249,8 @@ private:
     throw PreconditionError("filled: the curve takes too many layers");
   }
 
-  void fold(Side s) {
-    const Side across = partner(s);
+  void fold(TorusSide s) {
+    const TorusSide across = partner(s);
     const Triangle& a = torus_[s.triangle];
     const Triangle& b = torus_[across.triangle];
     const int i = s.side, j = across.side;
@@ -260,7 +260,7 @@ private:
   Triangulation& tri_;
   Torus torus_;
   std::vector<int> degree_;             ///< of each vertex of the torus
-  std::vector<Side> at_;                ///< one of its corners
+  std::vector<TorusSide> at_;           ///< one of its corners
   std::set<std::pair<int, int>> queue_; ///< (degree, vertex)
   SplitMix64 random_{1};
   int random_turns_ = 0;
@@ -353,9 +353,9 @@ std::optional<std::string> why_no_curves(const Triangulation& tri, const CuspCur
 /// the values on closed paths, whose greatest common divisor this is.
 Flow multiplicity(const Torus& torus) {
   std::vector<std::array<std::optional<Flow>, 3>> potential(torus.size()); // of each corner's vertex
-  std::vector<Side> queue;
+  std::vector<TorusSide> queue;
   Flow common = 0;
-  const auto reach = [&](Side corner, Flow value) {
+  const auto reach = [&](TorusSide corner, Flow value) {
     auto& known = potential[corner.triangle][corner.side];
     if (known) {
       common = std::gcd(common, value - *known);
@@ -366,11 +366,11 @@ Flow multiplicity(const Torus& torus) {
   };
   reach({0, 0}, 0);
   for (std::size_t k = 0; k < queue.size(); ++k) {
-    const Side c = queue[k];
+    const TorusSide c = queue[k];
     const Triangle& t = torus[c.triangle];
     const Flow here = *potential[c.triangle][c.side];
     reach({c.triangle, next(c.side)}, here + t.flow[last(c.side)]);
-    const Side across = t.partner[next(c.side)];
+    const TorusSide across = t.partner[next(c.side)];
     reach({across.triangle, next(across.side)}, here);
   }
   return common;

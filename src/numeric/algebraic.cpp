@@ -32,26 +32,19 @@ struct AlgebraicAccess {
   }
 };
 
+static fmpq_poly_struct* raw(Algebraic& x) {
+  return AlgebraicAccess::of(x);
+}
+static const fmpq_poly_struct* raw(const Algebraic& x) {
+  return AlgebraicAccess::of(x);
+}
+
 namespace {
 
 /// How many bits of the numbers each coefficient of a relation takes: those that are found by chance have as
 /// many bits, and those that are believed less than half.
 constexpr int bits_per_coefficient = 100;
 constexpr int believed_bits = 45;
-
-fmpq_poly_struct* raw(Algebraic& x) {
-  return AlgebraicAccess::of(x);
-}
-const fmpq_poly_struct* raw(const Algebraic& x) {
-  return AlgebraicAccess::of(x);
-}
-
-arb_ptr raw(Ball& x) {
-  return BallAccess::of(x);
-}
-arb_srcptr raw(const Ball& x) {
-  return BallAccess::of(x);
-}
 
 /// An integer polynomial that clears up after itself.
 class IntegerPolynomial {

@@ -24,13 +24,6 @@ long& precision() {
   return bits;
 }
 
-arb_ptr raw(Ball& x) {
-  return BallAccess::of(x);
-}
-arb_srcptr raw(const Ball& x) {
-  return BallAccess::of(x);
-}
-
 /// The result of Arb's function of one argument.
 template <class Function>
 Ball made(Function function, const Ball& x) {

@@ -24,4 +24,11 @@ struct BallAccess {
   }
 };
 
+inline arb_ptr raw(Ball& x) {
+  return BallAccess::of(x);
+}
+inline arb_srcptr raw(const Ball& x) {
+  return BallAccess::of(x);
+}
+
 } // namespace tetrarch::numeric

@@ -205,7 +205,7 @@ std::vector<Vector> smoothed_normals(const Search& search, int rounds) {
   return normal;
 }
 
-CornerValues along(const Search& search, const std::vector<Vector>& normal, const Vector& axis) {
+CornerValues cosines_along(const Search& search, const std::vector<Vector>& normal, const Vector& axis) {
   CornerValues values;
   values.reserve(search.areas.size());
   for (const auto& [a, b, c] : search.solid.boundary.triangles())
@@ -225,7 +225,7 @@ std::vector<int> bases_beyond(const Solid& solid, const CornerValues& values, do
   return base;
 }
 
-struct Candidate {
+struct FloorCandidate {
   Vector axis{};
   double threshold = 0;
   int smoothing = 0;
@@ -233,8 +233,8 @@ struct Candidate {
 };
 
 /// The partition of a candidate: with smooth rims if wanted and if that succeeds.
-Automatic built(const Search& search, const Candidate& c) {
-  const CornerValues values = along(search, smoothed_normals(search, c.smoothing), c.axis);
+Automatic built(const Search& search, const FloorCandidate& c) {
+  const CornerValues values = cosines_along(search, smoothed_normals(search, c.smoothing), c.axis);
   const std::string how = "floor and ceiling face against and along the axis " + in_words(c.axis) +
                           ", normals averaged " + std::to_string(c.smoothing) + " times";
   if (search.options.smooth_rims) {
@@ -255,10 +255,10 @@ Automatic built(const Search& search, const Candidate& c) {
 }
 
 /// The best partition with this axis; its score is negative if there is none.
-Candidate best_along(const Search& search, const std::vector<Vector>& normal, const Vector& axis,
-                     int smoothing) {
-  Candidate best;
-  const CornerValues values = along(search, normal, axis);
+FloorCandidate best_along(const Search& search, const std::vector<Vector>& normal, const Vector& axis,
+                          int smoothing) {
+  FloorCandidate best;
+  const CornerValues values = cosines_along(search, normal, axis);
   for (const double threshold : search.options.thresholds) {
     const std::vector<int> base = bases_beyond(search.solid, values, threshold);
     const std::optional<Partition> found = accepted(search.solid, base, search.homology);
@@ -273,13 +273,14 @@ std::optional<Automatic> by_axes(const Search& search, const Progress& progress)
   const std::vector<Vector> all = axes(search);
   for (const int smoothing : search.options.smoothings) {
     const std::vector<Vector> normal = smoothed_normals(search, smoothing);
-    std::vector<Candidate> found(all.size());
+    std::vector<FloorCandidate> found(all.size());
     numeric::parallel_for(
         static_cast<int>(all.size()), {search.options.threads, 1},
         [&](int k) { found[k] = best_along(search, normal, all[k], smoothing); },
         [&](double part) { progress.step("axes", part); });
-    const auto best = std::max_element(
-        found.begin(), found.end(), [](const Candidate& a, const Candidate& b) { return a.score < b.score; });
+    const auto best =
+        std::max_element(found.begin(), found.end(),
+                         [](const FloorCandidate& a, const FloorCandidate& b) { return a.score < b.score; });
     if (best->score >= 0) return built(search, *best);
   }
   return {};

@@ -139,7 +139,7 @@ void flood(const Solid& solid, const std::vector<Point>& areas, int number, cons
 }
 
 /// Along edges of the boundary, of each of its vertices.
-std::vector<double> distances(const Solid& solid, const std::vector<Side>& from) {
+std::vector<double> edge_distances(const Solid& solid, const std::vector<Side>& from) {
   std::vector<std::vector<int>> neighbors(solid.vertex.size());
   for (int k = 0; k < solid.boundary.side_count(); ++k)
     neighbors[solid.boundary.from(Side(k))].push_back(solid.boundary.to(Side(k)));
@@ -208,7 +208,7 @@ std::vector<int> bases_by_flooding(const Solid& solid, const Flooding& flooding)
 
 std::vector<int> bases_beyond_tunnels(const Solid& solid, const std::vector<std::vector<int>>& tunnels,
                                       double extend) {
-  const std::vector<double> distance = distances(solid, sides_along(solid, tunnels));
+  const std::vector<double> distance = edge_distances(solid, sides_along(solid, tunnels));
   mesh::Surface torn = solid.boundary;
   std::vector<char> is_wall;
   for (const auto& corners : solid.boundary.triangles())

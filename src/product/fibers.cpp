@@ -35,7 +35,7 @@ std::array<Point, 3> weight_gradients(const Solid& solid, int tet) {
   return gradient;
 }
 
-double volume(const Solid& solid, int tet) {
+double tetrahedron_volume(const Solid& solid, int tet) {
   const auto& v = solid.corners(tet);
   return dot(between(solid.point(v[0]), solid.point(v[1])),
              cross(between(solid.point(v[0]), solid.point(v[2])),
@@ -76,7 +76,7 @@ std::vector<Point> smoothed(const Solid& solid, const Partition& partition,
   std::vector<Point> sum(solid.mesh.points.size(), Point{});
   std::vector<double> volumes(solid.mesh.points.size(), 0.0);
   for (int t = 0; t < solid.size(); ++t) {
-    const double weight = volume(solid, t);
+    const double weight = tetrahedron_volume(solid, t);
     for (const int v : solid.corners(t)) {
       volumes[v] += weight;
       for (int c = 0; c < 3; ++c) sum[v][c] += weight * gradient[t][c];

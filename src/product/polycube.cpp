@@ -90,7 +90,7 @@ void fill_column(Box& box, const Sheets& sheets, int x, int y) {
   }
 }
 
-LatticePoint beyond(LatticePoint cube, int axis, int by) {
+LatticePoint cube_beyond(LatticePoint cube, int axis, int by) {
   cube[axis] += by;
   return cube;
 }
@@ -102,7 +102,7 @@ void require_cover(const Box& box, const Sheets& sheets, const mesh::Surface& bo
   for (const LatticePoint& cube : box.cubes())
     for (int axis = 0; axis < 3; ++axis)
       for (const bool up : {false, true})
-        if (!box.is_filled(beyond(cube, axis, up ? 1 : -1)))
+        if (!box.is_filled(cube_beyond(cube, axis, up ? 1 : -1)))
           faces[{axis, cube[axis] + (up ? 1 : 0), up}] += 1;
   for (const auto& [facing, sheet] : sheets) {
     for (const int t : sheet.triangles) {
@@ -113,7 +113,7 @@ void require_cover(const Box& box, const Sheets& sheets, const mesh::Surface& bo
         cube[a] = static_cast<int>(std::floor(middle));
       }
       cube[facing.axis] = facing.plane - (facing.up ? 1 : 0);
-      if (box.is_filled(cube) && !box.is_filled(beyond(cube, facing.axis, facing.up ? 1 : -1))) continue;
+      if (box.is_filled(cube) && !box.is_filled(cube_beyond(cube, facing.axis, facing.up ? 1 : -1))) continue;
       throw InputError("triangle " + std::to_string(t) +
                        " of the boundary (counted from 0) is inverted on the polycube, or overlaps others");
     }

@@ -28,7 +28,7 @@ using Weights = std::array<double, 4>;
 /// A point with a weight below is outside of a tetrahedron by more than rounding.
 constexpr double outside = -1e-6;
 /// Weights nearer to 0 are 0, so that points on faces and at vertices are exactly there.
-constexpr double near_zero = 1e-13;
+constexpr double rounded_to_zero = 1e-13;
 
 bool is_finite(const Point& p) {
   return std::all_of(p.begin(), p.end(), [](double x) { return std::isfinite(x); });
@@ -111,10 +111,10 @@ std::vector<Place> places(const Solid& solid, const std::vector<Point>& image,
   return result;
 }
 
-Point carried(const Solid& solid, Place place) {
+Point image_of(const Solid& solid, Place place) {
   double sum = 0;
   for (double& x : place.weight) {
-    if (x < near_zero) x = 0;
+    if (x < rounded_to_zero) x = 0;
     sum += x;
   }
   Point p{};
@@ -138,8 +138,8 @@ struct Inside {
   std::vector<double> right; ///< three columns
 };
 
-Inside equations(const Solid& solid, const std::vector<mesh::WeightedEdge>& edges,
-                 const std::vector<Point>& image) {
+Inside inside_equations(const Solid& solid, const std::vector<mesh::WeightedEdge>& edges,
+                        const std::vector<Point>& image) {
   Inside s;
   s.number.assign(image.size(), -1);
   int size = 0;
@@ -188,7 +188,7 @@ std::optional<std::vector<Point>> harmonic_image(const Solid& solid, const std::
   std::vector<mesh::WeightedEdge> edges = mesh::edge_weights(solid.mesh);
   for (mesh::WeightedEdge& e : edges)
     if (clamped) e.weight = std::max(e.weight, 0.0);
-  Inside inside = equations(solid, edges, image);
+  Inside inside = inside_equations(solid, edges, image);
   const int size = inside.matrix.size();
   if (size == 0) return image;
   SparseCholesky solver(inside.matrix);
@@ -266,7 +266,7 @@ PolycubeHexahedra pulled_back(const Solid& solid, const std::vector<Point>& imag
       continue;
     }
     number[node] = static_cast<int>(result.solid.mesh.points.size());
-    result.solid.mesh.points.push_back(carried(solid, at[node]));
+    result.solid.mesh.points.push_back(image_of(solid, at[node]));
     result.solid.on_boundary.push_back(outer[node]);
   }
   add_whole_cubes(result, number);

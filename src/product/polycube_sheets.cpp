@@ -17,7 +17,7 @@ using Corners = std::array<Point, 3>;
 /// more.
 constexpr double near_plane = 1e-5;
 /// A coordinate so great is none of a polycube, and its cubes could not be counted.
-constexpr double greatest = 1e6;
+constexpr double greatest_coordinate = 1e6;
 
 std::string text(const Point& p) {
   std::string result = "(";
@@ -54,7 +54,7 @@ std::vector<Point> snapped(const mesh::Surface& boundary, const std::vector<Poin
   for (std::size_t v = 0; v < result.size(); ++v)
     for (double& x : result[v]) {
       x /= step;
-      if (!(std::abs(x) <= greatest))
+      if (!(std::abs(x) <= greatest_coordinate))
         throw InputError(
             "the image of vertex " + std::to_string(v) +
             " of the boundary (counted from 0) is not finite or too far from 0: " + text(image[v]));

@@ -54,7 +54,7 @@ void add(const HexMesh& mesh, const std::array<int, 4>& square, std::vector<Plan
   }
 }
 
-double mean_edge(const HexMesh& mesh) {
+double mean_hex_edge(const HexMesh& mesh) {
   double sum = 0;
   for (const Hexahedron& h : mesh.hexahedra)
     for (std::size_t c = 0; c < 8; ++c)
@@ -65,7 +65,7 @@ double mean_edge(const HexMesh& mesh) {
 unfold::Problem problem_of(const HexMesh& mesh, const std::vector<Sliding>& may,
                            const std::vector<char>& fixed) {
   unfold::Problem problem;
-  const double size = mean_edge(mesh);
+  const double size = mean_hex_edge(mesh);
   for (const Hexahedron& h : mesh.hexahedra) problem.bricks.push_back(unfold::brick(h, {size, size, size}));
   for (std::size_t v = 0; v < may.size(); ++v) {
     Freedom f;
@@ -106,7 +106,7 @@ Untangled untangle(HexMesh& mesh, const std::vector<char>& fixed, const Progress
   const HexQuality before = quality(mesh);
   result.bad_before = result.bad_after = static_cast<int>(before.bad.size());
   result.minimum_before = result.minimum_after = before.minimum;
-  if (mesh.hexahedra.empty() || !(mean_edge(mesh) > 0)) return result;
+  if (mesh.hexahedra.empty() || !(mean_hex_edge(mesh) > 0)) return result;
   const unfold::Problem problem = problem_of(mesh, sliding(mesh), fixed);
   for (const Freedom& f : problem.freedom)
     if (f.kind == Freedom::Kind::plane || f.kind == Freedom::Kind::line) ++result.sliding;

@@ -2,6 +2,7 @@
 #include "elements.hpp"
 
 #include "tetrarch/core/error.hpp"
+#include "tetrarch/numeric/vector.hpp"
 #include "tetrarch/scene/files.hpp"
 
 #include <algorithm>
@@ -190,6 +191,17 @@ AllSurfaces::AllSurfaces(const Scene& scene) {
   for (const Tubes& tubes : scene.tubes) made.push_back(swept(tubes));
   for (const Cells& cells : scene.cells) made.push_back(outer_faces(cells));
   for (const Surface& surface : made) all.push_back(&surface);
+}
+
+std::vector<Point> mean_normals(const Surface& surface) {
+  using namespace numeric;
+  std::vector<Point> normals(surface.points.size(), Point{});
+  for (const auto& [a, b, c] : surface.triangles) {
+    const Point area = cross(surface.points[b] - surface.points[a], surface.points[c] - surface.points[a]);
+    for (const int v : {a, b, c}) normals[v] = normals[v] + area;
+  }
+  for (Point& normal : normals) normal = direction(normal).value_or(Point{0, 0, 1});
+  return normals;
 }
 
 } // namespace tetrarch::scene

@@ -45,6 +45,10 @@ inline Color color_of(const std::vector<Color>& colors, std::size_t k) {
   return colors.empty() ? Color{} : colors[colors.size() == 1 ? 0 : k];
 }
 
+/// Normals for a surface that has none: at each point the mean over its triangles, by area; (0, 0, 1) where
+/// that is null. O(size).
+std::vector<Point> mean_normals(const Surface& surface);
+
 /// What a field has a number for: each triangle or cell, or each point.
 enum class FieldOn : std::uint8_t { cells, points };
 

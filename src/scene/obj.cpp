@@ -44,18 +44,6 @@ struct Corners {
   bool normals = false;
 };
 
-/// Of a surface that has none: of each point, the mean of the normals around, weighed by area.
-std::vector<std::array<double, 3>> mean_normals(const Surface& surface) {
-  using namespace numeric;
-  std::vector<std::array<double, 3>> normals(surface.points.size(), {0, 0, 0});
-  for (const auto& [a, b, c] : surface.triangles) {
-    const Point normal = cross(surface.points[b] - surface.points[a], surface.points[c] - surface.points[a]);
-    for (const int v : {a, b, c}) normals[v] = normals[v] + normal;
-  }
-  for (auto& n : normals) n = direction(n).value_or(Point{0, 0, 1});
-  return normals;
-}
-
 /// A surface without places in a texture has one place for all corners.
 void append_triangles(std::string& out, const Surface& surface, const Counts& first, const Corners& named) {
   for (const auto& corners : surface.triangles) {

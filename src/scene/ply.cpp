@@ -12,18 +12,6 @@ namespace {
 
 using namespace numeric;
 
-/// Normals for a surface that has none: at each point the mean over its triangles, by area.
-std::vector<Point> mean_normals(const Surface& surface) {
-  std::vector<Point> normals(surface.points.size(), Point{});
-  for (const auto& [a, b, c] : surface.triangles) {
-    const Point& from = surface.points[a];
-    const Point area = cross(surface.points[b] - from, surface.points[c] - from);
-    for (const int p : {a, b, c}) normals[p] = normals[p] + area;
-  }
-  for (Point& normal : normals) normal = direction(normal).value_or(Point{0, 0, 1});
-  return normals;
-}
-
 class PlyWriter {
 public:
   explicit PlyWriter(const Scene& scene)

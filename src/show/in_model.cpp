@@ -67,7 +67,7 @@ void append_data(std::vector<Data>& data, const std::array<int, 5>& values, std:
 }
 
 /// A patch that has been moved to its copy.
-void append(Surface& surface, const Patch& patch, int copy, int length, const ModelOptions& options) {
+void append_patch(Surface& surface, const Patch& patch, int copy, int length, const ModelOptions& options) {
   const Tessellation mesh = tessellated(patch, chords_of(options.model, options.chord_error));
   const int first = static_cast<int>(surface.points.size());
   for (const Vector4& x : mesh.points) {
@@ -85,7 +85,7 @@ void append(Surface& surface, const Patch& patch, int copy, int length, const Mo
               mesh.triangles.size());
 }
 
-void append(Tubes& tubes, const Arc& arc, int copy, int length, const ModelOptions& options) {
+void append_patch(Tubes& tubes, const Arc& arc, int copy, int length, const ModelOptions& options) {
   const double radius = options.tube_radius * (arc.edge ? 1 : 0.6);
   for (const Vector4& x : subdivided(arc, chords_of(options.model, options.chord_error))) {
     const Point p = to_model(options.model, x);
@@ -220,11 +220,11 @@ Scene in_model(const Body& body, const ModelOptions& options, const Progress& pr
     const int copy = static_cast<int>(c);
     for (const Patch& patch : body.patches)
       if (options.inner || !patch.inner)
-        append(scene.surfaces[index.at(surface_name(patch))], moved(place, patch), copy, body.length[c],
-               options);
+        append_patch(scene.surfaces[index.at(surface_name(patch))], moved(place, patch), copy, body.length[c],
+                     options);
     if (options.tube_radius == 0) continue;
     for (const Arc& arc : body.arcs)
-      if (!arc.inner) append(edges, moved(place, arc), copy, body.length[c], options);
+      if (!arc.inner) append_patch(edges, moved(place, arc), copy, body.length[c], options);
   }
   if (options.tube_radius > 0) scene.tubes.push_back(std::move(edges));
   return scene;

@@ -15,7 +15,7 @@
 namespace tetrarch::slit {
 namespace {
 
-void check(const SlitRing& ring) {
+void check_ring(const SlitRing& ring) {
   bool good = 0 < ring.inner && ring.inner < 1;
   for (const Arc& arc : ring.slits)
     good = good && ring.inner < arc.radius && arc.radius < 1 && arc.start < arc.end &&
@@ -43,7 +43,7 @@ Complex mean(const std::vector<Complex>& curve) {
 }
 
 /// The circle through the samples, or the best one.
-Circle fitted(const std::vector<Complex>& curve) {
+Circle fitted_circle(const std::vector<Complex>& curve) {
   // Samples are not equally spaced. |z|^2 = 2 Re(conj(c) z) + r^2 - |c|^2 is linear in c and the rest; about
   // the mean the moments are well scaled.
   const Complex middle = mean(curve);
@@ -162,7 +162,7 @@ void measure(CircularDomain& domain) {
     if (k < 2) {
       domain.circles.push_back(fitted_about_zero(curve));
     } else {
-      Circle circle = fitted(local(curve));
+      Circle circle = fitted_circle(local(curve));
       const Complex scale = std::exp(curve.center);
       circle.center = scale * (1.0 + circle.center);
       circle.radius *= std::abs(scale);
@@ -179,11 +179,12 @@ void normalise(LogCurves& curves) {
   for (const Complex d : curves[0].offset) outer += d.real() / static_cast<double>(curves[0].size());
   outer += curves[0].center.real();
   double turn = 0;
-  if (curves.size() > 2) turn = curves[2].center.imag() + std::arg(1.0 + fitted(local(curves[2])).center);
+  if (curves.size() > 2)
+    turn = curves[2].center.imag() + std::arg(1.0 + fitted_circle(local(curves[2])).center);
   for (LogCurve& curve : curves) curve.center -= Complex(outer, turn);
 }
 
-CircularDomain opened(const SlitRing& ring, const std::vector<int>& samples) {
+CircularDomain opened_domain(const SlitRing& ring, const std::vector<int>& samples) {
   CircularDomain domain;
   domain.curves = opened_slits(ring, samples, ring.slits.size());
   measure(domain);
@@ -238,11 +239,11 @@ private:
 
 CircularDomain circular_domain(const SlitRing& ring, const CircularOptions& options,
                                const Progress& progress) {
-  check(ring);
+  check_ring(ring);
   Sampling sampling(ring.slits.size() + 2, options);
   while (true) {
     progress.step("circles");
-    CircularDomain domain = opened(ring, sampling.samples());
+    CircularDomain domain = opened_domain(ring, sampling.samples());
     if (sampling.refine(domain)) continue; // openings cost next to nothing
     iterate(domain, options, progress);
     if (sampling.refine(domain)) continue;
@@ -256,7 +257,7 @@ CircularDomain circular_domain(const SlitRing& ring, const CircularOptions& opti
 }
 
 LogCurves opened_slits(const SlitRing& ring, const std::vector<int>& samples, std::size_t slits) {
-  check(ring);
+  check_ring(ring);
   if (samples.size() != ring.slits.size() + 2 || slits > ring.slits.size())
     throw PreconditionError("each curve needs a number of samples, and only slits can be opened");
   LogCurves curves = sampled(ring, samples);

@@ -14,7 +14,7 @@ namespace {
 /// Angles are known to about 1e-15, so of a slit this short the last digits only.
 constexpr double shortest_slit = 1e-12;
 
-[[noreturn]] void refuse(const std::string& fault, const std::string& way_out) {
+[[noreturn]] void refuse_surface(const std::string& fault, const std::string& way_out) {
   throw InputError(fault + "; the surface is too long and thin for this domain" + way_out);
 }
 
@@ -45,9 +45,9 @@ SlitRing slit_ring(const SlitMap& map) {
     const std::string way_out = "; --outer " + std::to_string(map.outer) + " --inner " +
                                 std::to_string(s.loop) + " makes that loop the inner circle";
     if (!(ring.inner < s.radius && s.radius < 1))
-      refuse(slit + " lies on a circle of the ring, up to rounding", way_out);
-    if (!(s.end - s.start < full_turn)) refuse(slit + " is a full circle, up to rounding", way_out);
-    if (!(s.end - s.start > shortest_slit)) refuse(slit + " is a point, up to rounding", way_out);
+      refuse_surface(slit + " lies on a circle of the ring, up to rounding", way_out);
+    if (!(s.end - s.start < full_turn)) refuse_surface(slit + " is a full circle, up to rounding", way_out);
+    if (!(s.end - s.start > shortest_slit)) refuse_surface(slit + " is a point, up to rounding", way_out);
     ring.slits.push_back({s.radius, s.start, s.end});
   }
   return ring;

@@ -14,7 +14,7 @@ namespace {
 using Place = std::array<double, 2>;
 
 /// Far above rounding errors, far below the size of triangles.
-constexpr double margin = 1e-9;
+constexpr double tile_margin = 1e-9;
 
 SpacePoint between(const SpacePoint& p, const SpacePoint& q, double part) {
   SpacePoint r{};
@@ -76,10 +76,10 @@ public:
     const auto row_of = [&](double height) {
       return std::lower_bound(heights_.begin() + 1, heights_.end() - 1, height) - heights_.begin();
     };
-    const auto last_row = row_of(tile.high(1) + margin);
-    for (auto row = row_of(tile.low(1) - margin); row < last_row; ++row) {
-      const double right = tile.high(0) + margin;
-      for (long column = column_of(tile.low(0) - margin); angle(column) <= right; ++column)
+    const auto last_row = row_of(tile.high(1) + tile_margin);
+    for (auto row = row_of(tile.low(1) - tile_margin); row < last_row; ++row) {
+      const double right = tile.high(0) + tile_margin;
+      for (long column = column_of(tile.low(0) - tile_margin); angle(column) <= right; ++column)
         at(static_cast<std::size_t>(row), column).offer(tile, t, {angle(column), heights_[row]});
     }
   }
@@ -151,7 +151,7 @@ std::vector<SpacePoint> reached(const Path& path, const std::vector<double>& ang
 }
 
 /// The vertices of a loop in its order, with angles that do not jump.
-Path around(const OneForms& forms, const SlitMap& map, int loop) {
+Path path_around(const OneForms& forms, const SlitMap& map, int loop) {
   const mesh::TriangleMesh& mesh = forms.mesh();
   const auto& sides = forms.loops()[loop].sides;
   Path path;
@@ -214,7 +214,7 @@ CrossingPoints crossing_points(const mesh::TriangleMesh& mesh, const SlitMap& ma
 
 std::vector<SpacePoint> rim_points(const OneForms& forms, const SlitMap& map, int loop,
                                    const std::vector<double>& angles) {
-  Path path = around(forms, map, loop);
+  Path path = path_around(forms, map, loop);
   if (loop == map.inner) {
     std::reverse(path.angle.begin(), path.angle.end());
     std::reverse(path.point.begin(), path.point.end());
@@ -230,7 +230,7 @@ std::vector<SpacePoint> rim_points(const OneForms& forms, const SlitMap& map, in
 
 SlitPoints slit_points(const OneForms& forms, const SlitMap& map, const Slit& slit,
                        const std::vector<double>& angles) {
-  Path path = around(forms, map, slit.loop);
+  Path path = path_around(forms, map, slit.loop);
   const auto [low, high] = std::minmax_element(path.angle.begin(), path.angle.end());
   const long first = low - path.angle.begin();
   const long last = high - path.angle.begin();

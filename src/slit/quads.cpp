@@ -78,7 +78,7 @@ std::vector<double> vertical_lines(const SlitMap& map, double spacing) {
   return lines;
 }
 
-[[noreturn]] void refuse(const Slit& slit, const char* why) {
+[[noreturn]] void refuse_slit(const Slit& slit, const char* why) {
   throw InputError("no quads can be made: the slit of loop " + std::to_string(slit.loop) + " is " + why);
 }
 
@@ -140,7 +140,7 @@ private:
   void put(std::size_t crossing, const Slit& slit, std::size_t row, const SpacePoint& point) {
     const bool is_rim = row == 0 || row + 1 == mesh_.heights.size();
     if (is_on_slit_[crossing] || is_rim)
-      refuse(slit, "too short or too near another loop, so vertices would coincide");
+      refuse_slit(slit, "too short or too near another loop, so vertices would coincide");
     is_on_slit_[crossing] = 1;
     mesh_.points[crossing] = point;
   }
@@ -163,7 +163,7 @@ double warp(const std::array<SpacePoint, 4>& p) {
 
 QuadMesh quads(const OneForms& forms, const SlitMap& map, int around) {
   for (const Slit& s : map.slits)
-    if (!(s.end - s.start < full_turn)) refuse(s, "longer than a full turn");
+    if (!(s.end - s.start < full_turn)) refuse_slit(s, "longer than a full turn");
   if (around < 3) throw PreconditionError("a quad mesh needs at least three quads around the ring");
   const double spacing = full_turn / around;
   if (around * std::max(1.0, map.modulus / spacing) > most_quads)

@@ -21,7 +21,7 @@ std::vector<int> vertices_of(const mesh::Surface& surface, const mesh::BoundaryL
 }
 
 /// Of each vertex of the loop pi less the angles there, in space.
-std::vector<double> turns(const mesh::TriangleMesh& mesh, const std::vector<int>& loop) {
+std::vector<double> turning_angles(const mesh::TriangleMesh& mesh, const std::vector<int>& loop) {
   std::vector<double> angles(mesh.points.size(), 0.0);
   for (const auto& t : mesh.surface.triangles())
     for (std::size_t c = 0; c < 3; ++c) {
@@ -49,7 +49,7 @@ std::array<int, 4> corners_of(const mesh::TriangleMesh& mesh, const mesh::Bounda
   constexpr std::size_t fewest = 8;
   if (n < fewest)
     throw InputError("a loop of " + std::to_string(n) + " edges is too short for the sides of a rectangle");
-  const std::vector<double> turn = turns(mesh, vertices);
+  const std::vector<double> turn = turning_angles(mesh, vertices);
   std::vector<std::size_t> order(n);
   for (std::size_t j = 0; j < n; ++j) order[j] = j;
   std::partial_sort(order.begin(), order.begin() + 4, order.end(),

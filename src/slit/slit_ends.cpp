@@ -22,7 +22,7 @@ using unfold::FlatFreedom;
 using Kind = FlatFreedom::Kind;
 
 /// Triangles so many steps around are moved.
-constexpr int rings = 3;
+constexpr int relaxed_rings = 3;
 /// Ratio of axes from which on it is worth it.
 constexpr double much = 10;
 
@@ -30,12 +30,12 @@ SideEnd end_at(int triangle, int corner) {
   return {Side(triangle, (corner + 2) % 3), true};
 }
 
-/// The triangles at most `rings` steps from a vertex.
+/// The triangles at most `relaxed_rings` steps from a vertex.
 std::vector<int> around(const Surface& surface, SideEnd at) {
   std::map<int, bool> triangles;
   std::map<int, bool> met{{surface.vertex(at), true}};
   std::vector<SideEnd> front{at};
-  for (int ring = 0; ring < rings; ++ring) {
+  for (int ring = 0; ring < relaxed_rings; ++ring) {
     std::vector<SideEnd> next;
     for (const SideEnd center : front)
       for (const SideEnd e : mesh::fan(surface, center)) {

@@ -16,7 +16,7 @@ constexpr double decrease = 1e-4;  // of the value along the slope, that a step 
 constexpr double flatter = 0.9;    // part of the slope that may be left after a step
 constexpr int most_trials = 40;
 
-double dot(const Values& a, const Values& b) {
+double inner_product(const Values& a, const Values& b) {
   return std::inner_product(a.begin(), a.end(), b.begin(), 0.0);
 }
 
@@ -36,7 +36,7 @@ Values direction(const std::deque<Pair>& pairs, const Values& gradient, const Pr
     for (std::size_t i = 0; i < d.size(); ++i) d[i] += factor * v[i];
   };
   for (std::size_t k = pairs.size(); k-- > 0;) {
-    part[k] = dot(pairs[k].step, d) / pairs[k].curvature;
+    part[k] = inner_product(pairs[k].step, d) / pairs[k].curvature;
     add(pairs[k].change, -part[k]);
   }
   precondition(d);
@@ -44,7 +44,7 @@ Values direction(const std::deque<Pair>& pairs, const Values& gradient, const Pr
   if (!pairs.empty()) scale = pairs.back().curvature / pairs.back().scale;
   for (double& x : d) x *= -scale;
   for (std::size_t k = 0; k < pairs.size(); ++k)
-    add(pairs[k].step, -part[k] - dot(pairs[k].change, d) / pairs[k].curvature);
+    add(pairs[k].step, -part[k] - inner_product(pairs[k].change, d) / pairs[k].curvature);
   return d;
 }
 
@@ -66,11 +66,11 @@ Descent minimize(const std::function<double(const Values& x, Values& gradient)>&
   for (; result.iterations < most_iterations; ++result.iterations) {
     watch();
     Values d = direction(pairs, now.gradient, precondition);
-    double slope = dot(d, now.gradient);
+    double slope = inner_product(d, now.gradient);
     if (!(slope < 0)) { // rounding spoiled the pairs
       pairs.clear();
       d = direction(pairs, now.gradient, precondition);
-      slope = dot(d, now.gradient);
+      slope = inner_product(d, now.gradient);
       if (!(slope < 0)) break;
     }
     double low = 0;
@@ -85,7 +85,7 @@ Descent minimize(const std::function<double(const Values& x, Values& gradient)>&
       if (is_down && next.value < best.value) best = next;
       if (!is_down)
         high = t;
-      else if (dot(next.gradient, d) < flatter * slope)
+      else if (inner_product(next.gradient, d) < flatter * slope)
         low = t;
       else
         break;
@@ -97,10 +97,10 @@ Descent minimize(const std::function<double(const Values& x, Values& gradient)>&
       pair.step[i] = best.x[i] - now.x[i];
       pair.change[i] = best.gradient[i] - now.gradient[i];
     }
-    pair.curvature = dot(pair.step, pair.change);
+    pair.curvature = inner_product(pair.step, pair.change);
     Values preconditioned = pair.change;
     precondition(preconditioned);
-    pair.scale = dot(pair.change, preconditioned);
+    pair.scale = inner_product(pair.change, preconditioned);
     const double gain = now.value - best.value;
     now = std::move(best);
     if (pair.curvature > 0) pairs.push_back(std::move(pair));

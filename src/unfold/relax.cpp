@@ -252,7 +252,7 @@ private:
   std::vector<Complex> shift_;
 };
 
-void require(const std::vector<FlatElement>& elements, const std::vector<FlatFreedom>& freedom) {
+void require_flat(const std::vector<FlatElement>& elements, const std::vector<FlatFreedom>& freedom) {
   const int points = static_cast<int>(freedom.size());
   for (const FlatElement& e : elements) {
     for (const int v : e.corner)
@@ -266,7 +266,7 @@ void require(const std::vector<FlatElement>& elements, const std::vector<FlatFre
 
 Relaxed relaxed(std::vector<FlatElement> elements, std::vector<FlatFreedom> freedom,
                 const FlatOptions& options, const Progress& progress) {
-  require(elements, freedom);
+  require_flat(elements, freedom);
   Relaxed result;
   result.shift.assign(freedom.size(), 0.0);
   if (elements.empty()) return result;

@@ -36,7 +36,7 @@ Tree group_tree(const algebra::Presentation& group) {
 }
 
 /// A presentation that a person can read, else its size.
-std::string group_text(const algebra::Presentation& group) {
+std::string presentation_text(const algebra::Presentation& group) {
   constexpr std::size_t longest = 400;
   std::string text = group.str();
   if (text.size() <= longest) return text;
@@ -50,7 +50,7 @@ std::vector<std::vector<int>> tetrahedra_of(const Components& parts, int count) 
   return numbers;
 }
 
-Tree or_null(bool known, const std::string& text) {
+Tree null_unless(bool known, const std::string& text) {
   return known ? Tree(text) : Tree();
 }
 
@@ -129,7 +129,7 @@ Rows rows_of(const Info& i, const std::string& signature) {
   if (i.valid()) rows.emplace_back("homology", i.homology);
   for (std::size_t k = 0; k < i.groups.size(); ++k)
     rows.emplace_back(i.groups.size() == 1 ? "group" : "group " + std::to_string(k + 1),
-                      group_text(i.groups[k]));
+                      presentation_text(i.groups[k]));
   if (!signature.empty()) rows.emplace_back("signature", signature);
   return rows;
 }
@@ -150,9 +150,9 @@ const FieldList<Info>& fields_of<Info>() {
       {{"orientable", "", "whether it is orientable"}, [](I i) -> Tree { return i.orientable; }},
       {{"connected", "", "whether it is connected"}, [](I i) -> Tree { return i.components <= 1; }},
       {{"signature", "", "isomorphism signature; null where it is left out"},
-       [](I i) { return or_null(!i.signature.empty(), i.signature); }},
+       [](I i) { return null_unless(!i.signature.empty(), i.signature); }},
       {{"homology", "", "first homology; null of one that is not valid"},
-       [](I i) { return or_null(i.valid(), i.homology); }},
+       [](I i) { return null_unless(i.valid(), i.homology); }},
       {{"boundary", "",
         "of each boundary component: ideal or real, genus, orientability, Euler characteristic"},
        [](I i) { return boundary_tree(i.boundary); }},

@@ -78,7 +78,7 @@ std::string isometries_text(std::size_t count) {
 }
 
 /// The exteriors differ.
-void refuse(PairComparison& out, const IsometryAnswer& no) {
+void refuse_exteriors(PairComparison& out, const IsometryAnswer& no) {
   out.verdict = Verdict::proved_no;
   out.exteriors = false;
   out.proof = proof_of(no.proof);
@@ -86,8 +86,8 @@ void refuse(PairComparison& out, const IsometryAnswer& no) {
 }
 
 /// The cells of one side with its meridians, and what they tell.
-MarkedCells cells_of(PairSide& side, const diagram::PairExterior& exterior, const CanonicalOptions& how,
-                     const Progress& progress) {
+MarkedCells marked_cells_of(PairSide& side, const diagram::PairExterior& exterior,
+                            const CanonicalOptions& how, const Progress& progress) {
   const Cells found = workshop::cells(exterior.tri, how, progress);
   MarkedCells marked;
   marked.why_not = found.why_not;
@@ -174,7 +174,7 @@ const char* yes_no(bool yes) {
   return yes ? "yes" : "no";
 }
 
-std::string group_text(std::size_t order, const std::string& group) {
+std::string order_text(std::size_t order, const std::string& group) {
   return "order " + std::to_string(order) + (group.empty() ? "" : ": " + group);
 }
 
@@ -182,8 +182,8 @@ void add_rows(Rows& rows, const PairSide& side) {
   if (!side.found) return;
   rows.emplace_back(side.name, "volume " + fixed(side.volume, 12));
   rows.emplace_back("",
-                    "exterior: isometries of " + group_text(side.exterior_group_order, side.exterior_group));
-  rows.emplace_back("", "pair: symmetries of " + group_text(side.group_order, side.group) +
+                    "exterior: isometries of " + order_text(side.exterior_group_order, side.exterior_group));
+  rows.emplace_back("", "pair: symmetries of " + order_text(side.group_order, side.group) +
                             (side.amphichiral ? ", amphichiral" : ", chiral"));
 }
 
@@ -211,9 +211,9 @@ PairComparison compare_pairs(const diagram::Diagram& x, const std::string& name_
     return out;
   }
   const CanonicalOptions how{options.attempts, options.seed, false};
-  if (const auto no = differ_without_structure(a->tri, b->tri)) refuse(out, *no);
-  const MarkedCells cells_x = cells_of(out.x, *a, how, progress);
-  const MarkedCells cells_y = cells_of(out.y, *b, how, progress);
+  if (const auto no = differ_without_structure(a->tri, b->tri)) refuse_exteriors(out, *no);
+  const MarkedCells cells_x = marked_cells_of(out.x, *a, how, progress);
+  const MarkedCells cells_y = marked_cells_of(out.y, *b, how, progress);
   if (out.verdict != Verdict::undecided) return out;
   if (!cells_x.why_not.empty() || !cells_y.why_not.empty()) {
     out.reason = cells_x.why_not.empty() ? name_y + ": " + cells_y.why_not : name_x + ": " + cells_x.why_not;
@@ -222,7 +222,7 @@ PairComparison compare_pairs(const diagram::Diagram& x, const std::string& name_
   }
   const Isometry exteriors = isometry({a->tri, name_x}, {b->tri, name_y}, how, progress);
   if (exteriors.verdict() == Verdict::proved_no)
-    refuse(out, exteriors.answer);
+    refuse_exteriors(out, exteriors.answer);
   else
     decide(out, cells_x, cells_y);
   return out;
@@ -249,7 +249,7 @@ Tree name_or_null(const std::string& name) {
   return name.empty() ? Tree() : Tree(name);
 }
 
-bool is_found(const PairSide& s) {
+bool is_side_found(const PairSide& s) {
   return s.found;
 }
 
@@ -260,28 +260,28 @@ const FieldList<PairSide>& fields_of<PairSide>() {
   using S = const PairSide&;
   static const FieldList<PairSide> fields{
       {{"name", "", "what was given"}, [](S s) -> Tree { return s.name; }},
-      {{"volume", "curvature -1", "of the exterior"}, [](S s) -> Tree { return s.volume; }, is_found},
+      {{"volume", "curvature -1", "of the exterior"}, [](S s) -> Tree { return s.volume; }, is_side_found},
       {{"isometry_signature", "", "of the exterior"},
        [](S s) -> Tree { return s.isometry_signature; },
-       is_found},
+       is_side_found},
       {{"exterior_group_order", "", "number of isometries of the exterior"},
        [](S s) -> Tree { return s.exterior_group_order; },
-       is_found},
+       is_side_found},
       {{"exterior_group", "", "their group; null: none of those known by name"},
        [](S s) { return name_or_null(s.exterior_group); },
-       is_found},
+       is_side_found},
       {{"exterior_amphichiral", "", "whether one of them reverses orientation"},
        [](S s) -> Tree { return s.exterior_amphichiral; },
-       is_found},
+       is_side_found},
       {{"group_order", "", "number of those that extend over what was drilled: the symmetry group"},
        [](S s) -> Tree { return s.group_order; },
-       is_found},
+       is_side_found},
       {{"group", "", "its name; null: none of those known"},
        [](S s) { return name_or_null(s.group); },
-       is_found},
+       is_side_found},
       {{"amphichiral", "", "whether a symmetry reverses the orientation of space"},
        [](S s) -> Tree { return s.amphichiral; },
-       is_found}};
+       is_side_found}};
   return fields;
 }
 

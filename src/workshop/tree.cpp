@@ -69,14 +69,14 @@ private:
   int indent_;
 };
 
-Tree tree_of(const nlohmann::ordered_json& value) {
+Tree tree_of_json(const nlohmann::ordered_json& value) {
   Tree json;
   if (value.is_object()) {
     json = Tree::object();
-    for (const auto& [key, member] : value.items()) json[key] = tree_of(member);
+    for (const auto& [key, member] : value.items()) json[key] = tree_of_json(member);
   } else if (value.is_array()) {
     json = Tree::array();
-    for (const auto& item : value) json.push_back(tree_of(item));
+    for (const auto& item : value) json.push_back(tree_of_json(item));
   } else if (value.is_string()) {
     json = value.get<std::string>();
   } else if (value.is_boolean()) {
@@ -91,7 +91,7 @@ Tree tree_of(const nlohmann::ordered_json& value) {
   return json;
 }
 
-[[noreturn]] void refuse(const char* expected) {
+[[noreturn]] void refuse_kind(const char* expected) {
   throw PreconditionError(std::string("a JSON value is no ") + expected);
 }
 
@@ -129,7 +129,7 @@ Tree Tree::object() {
 
 Tree Tree::parse(std::string_view text) {
   try {
-    return tree_of(nlohmann::ordered_json::parse(text));
+    return tree_of_json(nlohmann::ordered_json::parse(text));
   } catch (const nlohmann::ordered_json::exception& e) {
     throw PreconditionError(e.what());
   }
@@ -144,7 +144,7 @@ std::size_t Tree::size() const {
 Tree& Tree::operator[](std::string_view key) {
   if (is_null()) value_ = Object();
   Object* const members = std::get_if<Object>(&value_);
-  if (members == nullptr) refuse("object");
+  if (members == nullptr) refuse_kind("object");
   const auto found = std::find_if(members->begin(), members->end(),
                                   [key](const auto& member) { return member.first == key; });
   return found != members->end() ? found->second : members->emplace_back(key, Tree()).second;
@@ -154,12 +154,12 @@ const Tree& Tree::operator[](std::string_view key) const {
   if (const Object* const members = std::get_if<Object>(&value_))
     for (const auto& [name, value] : *members)
       if (name == key) return value;
-  refuse("object with this member");
+  refuse_kind("object with this member");
 }
 
 void Tree::update(const Tree& other) {
   const Object* const members = std::get_if<Object>(&other.value_);
-  if (members == nullptr) refuse("object");
+  if (members == nullptr) refuse_kind("object");
   for (const auto& [key, value] : *members) (*this)[key] = value;
 }
 
@@ -171,42 +171,42 @@ void Tree::erase(std::string_view key) {
 void Tree::push_back(Tree item) {
   if (is_null()) value_ = Array();
   Array* const items = std::get_if<Array>(&value_);
-  if (items == nullptr) refuse("array");
+  if (items == nullptr) refuse_kind("array");
   items->push_back(std::move(item));
 }
 
 const Tree& Tree::front() const {
-  if (empty()) refuse("array with items");
+  if (empty()) refuse_kind("array with items");
   return *begin();
 }
 
 const Tree& Tree::back() const {
-  if (empty()) refuse("array with items");
+  if (empty()) refuse_kind("array with items");
   return *(end() - 1);
 }
 
 Tree::Array::const_iterator Tree::begin() const {
   const Array* const items = std::get_if<Array>(&value_);
-  if (items == nullptr) refuse("array");
+  if (items == nullptr) refuse_kind("array");
   return items->begin();
 }
 
 Tree::Array::const_iterator Tree::end() const {
   const Array* const items = std::get_if<Array>(&value_);
-  if (items == nullptr) refuse("array");
+  if (items == nullptr) refuse_kind("array");
   return items->end();
 }
 
 const std::string& Tree::text() const {
   const std::string* const value = std::get_if<std::string>(&value_);
-  if (value == nullptr) refuse("text");
+  if (value == nullptr) refuse_kind("text");
   return *value;
 }
 
 int Tree::integer() const {
   if (const auto* const value = std::get_if<std::int64_t>(&value_)) return static_cast<int>(*value);
   if (const auto* const value = std::get_if<std::uint64_t>(&value_)) return static_cast<int>(*value);
-  refuse("integer");
+  refuse_kind("integer");
 }
 
 double Tree::number() const {

@@ -16,12 +16,12 @@ using namespace tetrarch::support;
 
 namespace {
 
-using Triangles = std::set<int>;
+using TriangleSet = std::set<int>;
 
 /// A sub-mesh as the text sees it: a set of triangles, cut open along some edges.
 struct SubMesh {
   const Disk& disk;
-  Triangles triangles;
+  TriangleSet triangles;
   std::set<int> cut{}; ///< sides, both of each edge
 
   bool is_inner(Side s) const {
@@ -47,8 +47,8 @@ struct SubMesh {
           out.push_back(s);
     return out;
   }
-  Triangles connected_to(int start) const {
-    Triangles out{start};
+  TriangleSet connected_to(int start) const {
+    TriangleSet out{start};
     std::vector<int> stack{start};
     while (!stack.empty()) {
       const int t = stack.back();
@@ -72,16 +72,16 @@ std::optional<PieceType> type_of(const SubMesh& mesh) {
 }
 
 /// The triangles of a sub-mesh that meet its boundary.
-Triangles frontier_of(const SubMesh& mesh) {
+TriangleSet frontier_of(const SubMesh& mesh) {
   const std::set<int> boundary = mesh.boundary_vertices();
-  Triangles out;
+  TriangleSet out;
   for (const int t : mesh.triangles)
     for (const int v : mesh.disk.corners(t))
       if (boundary.count(v) != 0) out.insert(t);
   return out;
 }
 
-Triangles listed(const Partition& partition, const Piece& piece) {
+TriangleSet listed(const Partition& partition, const Piece& piece) {
   const auto from = partition.triangles().begin() + piece.first;
   return {from, from + piece.count};
 }

@@ -2,6 +2,7 @@
 #include "tetrarch/canonical/canonize.hpp"
 
 #include "proved.hpp"
+#include "scrambled.hpp"
 
 #include "tetrarch/canonical/decorated.hpp"
 #include "tetrarch/core/error.hpp"
@@ -17,6 +18,7 @@
 using namespace tetrarch;
 using namespace tetrarch::canonical;
 using hyperbolic::Outcome;
+using support::decorated;
 
 namespace {
 
@@ -43,13 +45,6 @@ Triangulation grown(Triangulation tri, std::mt19937_64& random) {
     ++made;
   }
   return tri;
-}
-
-Decorated<double> decorated(const Triangulation& tri) {
-  const Skeleton skeleton(tri);
-  const auto structure = hyperbolic::hyperbolize(tri, skeleton);
-  REQUIRE(structure.outcome == Outcome::geometric);
-  return decorate(tri, skeleton, structure.lengths);
 }
 
 // By isomorphism signature: the knotted Y and another manifold of two tetrahedra, one gluing of three (with a

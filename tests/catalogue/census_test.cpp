@@ -14,7 +14,6 @@
 #include <catch2/catch.hpp>
 #include <fstream>
 #include <map>
-#include <mutex>
 #include <set>
 
 using namespace tetrarch;
@@ -96,24 +95,6 @@ int units_of_three(int first, int of) {
   return count;
 }
 
-/// Records in memory, and whoever makes units may use them.
-struct Kept {
-  std::map<std::string, std::string> texts;
-  std::mutex mutex;
-
-  UnitRecords records() {
-    return {[this](const std::string& key) -> const std::string* {
-              const std::lock_guard lock(mutex);
-              const auto found = texts.find(key);
-              return found == texts.end() ? nullptr : &found->second;
-            },
-            [this](const std::string& key, const std::string& text) {
-              const std::lock_guard lock(mutex);
-              texts[key] = text;
-            }};
-  }
-};
-
 } // namespace
 
 TEST_CASE("every gluing of three tetrahedra is settled", "[census]") {
@@ -130,10 +111,10 @@ TEST_CASE("every gluing of three tetrahedra is settled", "[census]") {
 }
 
 TEST_CASE("units that were kept, shared out and put together make the same table", "[census]") {
-  Kept all;
+  RecordsInMemory all;
   std::map<std::string, std::string>& kept = all.texts;
   WorkOptions how;
-  how.records = all.records();
+  how.records = all.both();
   how.share = Share{1, 2};
   CHECK(classify_manifolds(3, how).missing_units == units_of_three(0, 2)); // whatever is in them
   const std::size_t half = kept.size();
@@ -161,8 +142,8 @@ TEST_CASE("units that were kept, shared out and put together make the same table
 }
 
 TEST_CASE("units that are made one by one, backwards, are the classification", "[census]") {
-  Kept all;
-  const UnitRecords records = all.records();
+  RecordsInMemory all;
+  const UnitRecords records = all.both();
   const ClassificationUnits units(3, true);
   REQUIRE(units.size() == units_of_three(0, 1));
   int without = 0;

@@ -88,7 +88,7 @@ int linking_number(const Diagram& d) {
   return sum / 2;
 }
 
-std::string refusal(const std::function<void()>& work) {
+std::string curve_refusal(const std::function<void()>& work) {
   try {
     work();
   } catch (const InputError& e) {
@@ -98,7 +98,7 @@ std::string refusal(const std::function<void()>& work) {
 }
 
 std::string refusal_of(const std::string& text) {
-  return refusal([&] { (void)project(read_curve(text, "test"), "test"); });
+  return curve_refusal([&] { (void)project(read_curve(text, "test"), "test"); });
 }
 
 } // namespace

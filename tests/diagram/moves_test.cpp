@@ -19,7 +19,7 @@ using namespace tetrarch::support;
 
 namespace {
 
-Diagram read(const std::string& code) {
+Diagram diagram_of(const std::string& code) {
   return read_diagram(code, "test");
 }
 
@@ -67,7 +67,7 @@ std::string shape(const Diagram& d) {
 } // namespace
 
 TEST_CASE("moves and their inverses", "[diagram-moves]") {
-  const Diagram trefoil = read("PD[X[1, 4, 2, 5], X[3, 6, 4, 1], X[5, 2, 6, 3]]");
+  const Diagram trefoil = diagram_of("PD[X[1, 4, 2, 5], X[3, 6, 4, 1], X[5, 2, 6, 3]]");
   for (int d = 0; d < trefoil.dart_count(); ++d)
     for (const bool left : {true, false})
       for (const bool over : {true, false}) {
@@ -96,7 +96,7 @@ TEST_CASE("moves and their inverses", "[diagram-moves]") {
 }
 
 TEST_CASE("a twist at a vertex and its inverse", "[diagram-moves]") {
-  const Diagram theta = read("V[1, 2, 3] V[3, 2, 1]");
+  const Diagram theta = diagram_of("V[1, 2, 3] V[3, 2, 1]");
   for (int d = 0; d < theta.dart_count(); ++d)
     for (const bool over : {true, false}) {
       const Diagram twisted = with_twist(theta, d, over);
@@ -122,7 +122,7 @@ TEST_CASE("random moves keep the exterior", "[diagram-moves]") {
         "9, 8, 10]]",
         "PD[V[1, 4, 9], V[3, 10, 15], X[7, 11, 8, 12], X[12, 6, 13, 7], X[5, 2, 6, 3], X[1, 13, 2, 14], "
         "X[14, 5, 15, 4], X[10, 8, 11, 9]]"}) {
-    const Diagram first = read(code);
+    const Diagram first = diagram_of(code);
     const std::string name = isometry_signature(exterior(first));
     for (int round = 0; round < 20; ++round) {
       Diagram d = first;
@@ -148,7 +148,7 @@ TEST_CASE("simplification undoes moves on an unknot and on parts", "[diagram-mov
   SplitMix64 random(3);
   int best = 0;
   for (int round = 0; round < 50; ++round) {
-    Diagram d = read(round % 2 == 0 ? "Loop[1]" : "Loop[1] Loop[2] V[3, 4, 5] V[5, 4, 3]");
+    Diagram d = diagram_of(round % 2 == 0 ? "Loop[1]" : "Loop[1] Loop[2] V[3, 4, 5] V[5, 4, 3]");
     for (int k = 0; k < 300; ++k) d = with_random_move(d, 12, random);
     const Diagram small = simplified(d);
     INFO(planar_diagram_code(d) << " became " << planar_diagram_code(small));
@@ -161,7 +161,7 @@ TEST_CASE("simplification undoes moves on an unknot and on parts", "[diagram-mov
 }
 
 TEST_CASE("a diagram in several parts is joined", "[diagram-moves]") {
-  const Diagram d = connected(read("Loop[1] Loop[2] V[3, 4, 5] V[5, 4, 3]"));
+  const Diagram d = connected(diagram_of("Loop[1] Loop[2] V[3, 4, 5] V[5, 4, 3]"));
   CHECK(parts(d).count == 1);
   CHECK(crossing_count(d) == 4);
   CHECK(crossing_count(simplified(d)) == 0);

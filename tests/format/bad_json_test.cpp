@@ -37,44 +37,44 @@ const std::string sound = R"({
 }
 )";
 
-std::string complaint(const std::string& text) {
+std::string json_complaint(const std::string& text) {
   return error_of([&] { read_json(text, "f"); });
 }
 
 /// The complaint about `sound` with one thing changed.
 std::string spoilt(const std::string& from, const std::string& to) {
-  return complaint(with(sound, from, to));
+  return json_complaint(with(sound, from, to));
 }
 
 } // namespace
 
 TEST_CASE("the sound document is sound", "[bad][json]") {
-  CHECK(complaint(sound).empty());
+  CHECK(json_complaint(sound).empty());
 }
 
 TEST_CASE("text that is no JSON", "[bad][json]") {
-  CHECK(complaint("") == "f: the text is empty, expected a JSON object");
-  CHECK(complaint(" \n\t") == "f: the text is empty, expected a JSON object");
-  CHECK(complaint("[1]") == "f:1: found an array, expected an object");
-  CHECK(complaint("\n3") == "f:2: found the number 3, expected an object");
-  CHECK(complaint("\n\n nul ") == "f:3: the JSON text ends too early");
-  CHECK(complaint("{\n\"a\": nil}") == "f:2: found 'ni' where the JSON text breaks: invalid literal");
-  CHECK(complaint(sound + "garbage") ==
+  CHECK(json_complaint("") == "f: the text is empty, expected a JSON object");
+  CHECK(json_complaint(" \n\t") == "f: the text is empty, expected a JSON object");
+  CHECK(json_complaint("[1]") == "f:1: found an array, expected an object");
+  CHECK(json_complaint("\n3") == "f:2: found the number 3, expected an object");
+  CHECK(json_complaint("\n\n nul ") == "f:3: the JSON text ends too early");
+  CHECK(json_complaint("{\n\"a\": nil}") == "f:2: found 'ni' where the JSON text breaks: invalid literal");
+  CHECK(json_complaint(sound + "garbage") ==
         "f:23: found 'g' where the JSON text breaks: invalid literal, expected end of input");
-  CHECK(complaint(sound + "{}") ==
+  CHECK(json_complaint(sound + "{}") ==
         "f:23: found '{' where the JSON text breaks: unexpected '{', expected end of input");
   CHECK(spoilt("\"version\": 1,", "\"version\": 1") ==
         "f:4: found '\"name\"' where the JSON text breaks: unexpected string literal, expected '}'");
   CHECK(spoilt("figure eight", "figure\neight").substr(0, 4) == "f:4:");
-  CHECK(complaint("{\"a\": \"\xff\"}").substr(0, 4) == "f:1:");
+  CHECK(json_complaint("{\"a\": \"\xff\"}").substr(0, 4) == "f:1:");
 }
 
 TEST_CASE("a text cut anywhere ends too early", "[bad][json]") {
-  CHECK(complaint(sound.substr(0, sound.find("[[0,"))) ==
+  CHECK(json_complaint(sound.substr(0, sound.find("[[0,"))) ==
         "f:7: the JSON text ends too early, expected '[', '{', or a literal");
   const std::size_t brace = sound.rfind('}');
   for (std::size_t length = 0; length <= brace; ++length) {
-    const std::string message = complaint(sound.substr(0, length));
+    const std::string message = json_complaint(sound.substr(0, length));
     INFO(length << ": " << message);
     REQUIRE_FALSE(message.empty());
     REQUIRE(message.find('\n') == std::string::npos);
@@ -92,7 +92,7 @@ TEST_CASE("another format or version", "[bad][json]") {
   CHECK(spoilt("\"version\": 1", "\"version\": 1.0") ==
         "f:3: version: found the number 1.0, expected version 1");
   // A file of a later version is not blamed for what it does with its gluings.
-  CHECK(complaint("{\n\"version\": 2,\n\"gluings\": \"elsewhere\"}") ==
+  CHECK(json_complaint("{\n\"version\": 2,\n\"gluings\": \"elsewhere\"}") ==
         "f:2: version: found the number 2, expected version 1");
 }
 
@@ -100,7 +100,7 @@ TEST_CASE("missing and repeated members", "[bad][json]") {
   CHECK(spoilt("  \"format\": \"tetrarch-triangulation\",\n", "") == "f:1: the member \"format\" is missing");
   CHECK(spoilt("  \"version\": 1,\n", "") == "f:1: the member \"version\" is missing");
   CHECK(spoilt("  \"tetrahedra\": 2,\n", "") == "f:1: the member \"tetrahedra\" is missing");
-  CHECK(complaint(R"({"format":"tetrarch-triangulation","version":1,"tetrahedra":0})") ==
+  CHECK(json_complaint(R"({"format":"tetrarch-triangulation","version":1,"tetrahedra":0})") ==
         "f:1: the member \"gluings\" is missing");
   CHECK(spoilt("\"provenance\": {}", "\"provenance\": {},\n\"version\": 1") ==
         "f:22: version: the member is there twice");
@@ -116,9 +116,9 @@ TEST_CASE("members of a wrong type", "[bad][json]") {
         "f:5: tetrahedra: found the string '2', expected the number of tetrahedra");
   CHECK(spoilt("\"provenance\": {}", "\"provenance\": \"me\"") ==
         "f:21: provenance: found the string 'me', expected an object");
-  CHECK(complaint(R"({"gluings": 5})") ==
+  CHECK(json_complaint(R"({"gluings": 5})") ==
         "f:1: gluings: found the number 5, expected an array with one entry per tetrahedron");
-  CHECK(complaint(R"({"gluings": {}})") ==
+  CHECK(json_complaint(R"({"gluings": {}})") ==
         "f:1: gluings: found an object, expected an array with one entry per tetrahedron");
 }
 

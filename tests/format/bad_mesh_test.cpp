@@ -18,13 +18,13 @@ using namespace tetrarch::format::test;
 
 namespace {
 
-std::string complaint(const std::string& text, const std::string& source = "f") {
+std::string soup_complaint(const std::string& text, const std::string& source = "f") {
   return error_of([&] { read_soup(text, source); });
 }
 
 /// Nothing but an InputError of one short line, or none, may come of `text`.
 void require_bearable(const std::string& text, const std::string& source) {
-  const std::string message = complaint(text, source);
+  const std::string message = soup_complaint(text, source);
   INFO(message);
   REQUIRE(message.find('\n') == std::string::npos);
   REQUIRE(message.size() < 300);
@@ -70,9 +70,9 @@ TEST_CASE("TetGen's files cut off anywhere are an error", "[bad][mesh]") {
 
 TEST_CASE("wrong MEDIT files", "[bad][mesh]") {
   const auto spoilt = [](const std::string& from, const std::string& to) {
-    return complaint(with(medit, from, to));
+    return soup_complaint(with(medit, from, to));
   };
-  CHECK(complaint(medit).empty());
+  CHECK(soup_complaint(medit).empty());
   CHECK(spoilt("Dimension 3", "Dimension 4") == "f:2: found '4', expected dimension 2 or 3");
   CHECK(spoilt("1 0 0 0\n0 1", "1 0 x 0\n0 1") == "f:6: found 'x', expected a coordinate");
   CHECK(spoilt("1 2 3 4 0", "1 2 3.5 4 0") == "f:11: found '3.5', expected the number of a vertex");
@@ -94,7 +94,7 @@ TEST_CASE("wrong MEDIT files", "[bad][mesh]") {
 TEST_CASE("wrong Gmsh files", "[bad][mesh]") {
   const std::string text = write_gmsh(two_tetrahedra());
   const auto spoilt = [&](const std::string& from, const std::string& to) {
-    return complaint(with(text, from, to));
+    return soup_complaint(with(text, from, to));
   };
   CHECK(spoilt("4.1 0 8", "3 0 8") == "f:2: found '3', expected version 2.x, 4.0 or 4.1");
   CHECK(spoilt("4.1 0 8", "4.1 0 4") == "f:2: found '4', expected 8 bytes in a real number");
@@ -107,7 +107,7 @@ TEST_CASE("wrong Gmsh files", "[bad][mesh]") {
 TEST_CASE("wrong VTK files", "[bad][mesh]") {
   const std::string text = write_vtk(two_tetrahedra());
   const auto spoilt = [&](const std::string& from, const std::string& to) {
-    return complaint(with(text, from, to));
+    return soup_complaint(with(text, from, to));
   };
   CHECK(spoilt("4 0 1 2 3\n", "4 0 1 2 x\n") == "f:13: found 'x', expected the number of a point");
   CHECK(spoilt("5\n10\n10\n", "5\n10\n43\n") ==
@@ -120,7 +120,7 @@ TEST_CASE("wrong VTK files", "[bad][mesh]") {
         "f:4: found 'STRUCTURED_GRID', expected UNSTRUCTURED_GRID or POLYDATA");
   const std::string xml = write_vtu(two_tetrahedra());
   const auto spoilt_xml = [&](const std::string& from, const std::string& to) {
-    return complaint(with(xml, from, to));
+    return soup_complaint(with(xml, from, to));
   };
   CHECK(spoilt_xml("NumberOfPoints=\"5\"", "NumberOfPoints=\"6\"") == "f: found 15 coordinates, expected 18");
   CHECK(spoilt_xml("NumberOfCells=\"3\"", "NumberOfCells=\"-3\"") ==
@@ -132,14 +132,16 @@ TEST_CASE("wrong VTK files", "[bad][mesh]") {
 }
 
 TEST_CASE("wrong surfaces", "[bad][mesh]") {
-  CHECK(complaint("v 0 0 0\nf 1 2", "f.obj") == "f.obj:2: the line ends, expected three vertices or more");
-  CHECK(complaint("v 0 0 0\nf 1 0 1", "f.obj") == "f.obj:2: found '0', expected the number of a vertex");
-  CHECK(complaint("OFF\n4 1 0\n0 0 0\n0 0 0\n0 0 0\n0 0 0\n-4 0 1 2 3\n") ==
+  CHECK(soup_complaint("v 0 0 0\nf 1 2", "f.obj") ==
+        "f.obj:2: the line ends, expected three vertices or more");
+  CHECK(soup_complaint("v 0 0 0\nf 1 0 1", "f.obj") == "f.obj:2: found '0', expected the number of a vertex");
+  CHECK(soup_complaint("OFF\n4 1 0\n0 0 0\n0 0 0\n0 0 0\n0 0 0\n-4 0 1 2 3\n") ==
         "f:7: found '-4', expected the number of vertices of a face");
-  CHECK(complaint("ply\nformat ascii 2.0\nelement face 1\nproperty list uchar int "
-                  "vertex_index\nend_header\n4 0 1 2 x\n") == "f:6: found 'x', expected a number");
-  CHECK(complaint("ply\nformat binary_middle_endian 1.0\n").find("binary_big_endian") != std::string::npos);
-  CHECK(complaint("solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nendloop\n") ==
+  CHECK(soup_complaint("ply\nformat ascii 2.0\nelement face 1\nproperty list uchar int "
+                       "vertex_index\nend_header\n4 0 1 2 x\n") == "f:6: found 'x', expected a number");
+  CHECK(soup_complaint("ply\nformat binary_middle_endian 1.0\n").find("binary_big_endian") !=
+        std::string::npos);
+  CHECK(soup_complaint("solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nendloop\n") ==
         "f:5: found 'endloop', expected vertex");
   // Relative numbers, texture numbers and names.
   const Soup soup =
@@ -150,19 +152,20 @@ TEST_CASE("wrong surfaces", "[bad][mesh]") {
 TEST_CASE("headers that announce too much fail at once, without memory", "[bad][mesh]") {
   const auto start = std::chrono::steady_clock::now();
   const std::string many = "2147483646";
-  CHECK_FALSE(complaint("MeshVersionFormatted 2 Dimension 3 Vertices 1000000000000").empty());
-  CHECK_FALSE(complaint("MeshVersionFormatted 2 Dimension 3 Vertices " + many + "\n0 0 0 0").empty());
-  CHECK_FALSE(complaint("MeshVersionFormatted 2 Tetrahedra " + many + "\n1 2 3 4 0").empty());
-  CHECK_FALSE(
-      complaint("$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$Nodes\n" + many + " " + many + " 1 1\n").empty());
-  CHECK_FALSE(complaint("$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Elements\n" + many + "\n").empty());
-  const std::string vtk = "# vtk DataFile Version 3.0\n\nASCII\nDATASET UNSTRUCTURED_GRID\n";
-  CHECK_FALSE(complaint(vtk + "POINTS 715827882 double\n0").empty());
-  CHECK_FALSE(complaint(vtk + "CELLS " + many + " " + many + "\n0").empty());
-  CHECK_FALSE(complaint(vtk + "CELL_TYPES " + many + "\n0").empty());
-  CHECK_FALSE(complaint("OFF " + many + " " + many + " 0\n").empty());
-  CHECK_FALSE(complaint("ply\nformat ascii 1.0\nelement vertex " + many + "\nproperty float x\nend_header\n")
+  CHECK_FALSE(soup_complaint("MeshVersionFormatted 2 Dimension 3 Vertices 1000000000000").empty());
+  CHECK_FALSE(soup_complaint("MeshVersionFormatted 2 Dimension 3 Vertices " + many + "\n0 0 0 0").empty());
+  CHECK_FALSE(soup_complaint("MeshVersionFormatted 2 Tetrahedra " + many + "\n1 2 3 4 0").empty());
+  CHECK_FALSE(soup_complaint("$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$Nodes\n" + many + " " + many + " 1 1\n")
                   .empty());
+  CHECK_FALSE(soup_complaint("$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Elements\n" + many + "\n").empty());
+  const std::string vtk = "# vtk DataFile Version 3.0\n\nASCII\nDATASET UNSTRUCTURED_GRID\n";
+  CHECK_FALSE(soup_complaint(vtk + "POINTS 715827882 double\n0").empty());
+  CHECK_FALSE(soup_complaint(vtk + "CELLS " + many + " " + many + "\n0").empty());
+  CHECK_FALSE(soup_complaint(vtk + "CELL_TYPES " + many + "\n0").empty());
+  CHECK_FALSE(soup_complaint("OFF " + many + " " + many + " 0\n").empty());
+  CHECK_FALSE(
+      soup_complaint("ply\nformat ascii 1.0\nelement vertex " + many + "\nproperty float x\nend_header\n")
+          .empty());
   CHECK_FALSE(error_of([&] { read_tetgen({many + " 3 0 0\n", "0 4 0", "n", "e"}); }).empty());
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
   CHECK(seconds.count() < 1);

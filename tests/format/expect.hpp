@@ -5,6 +5,7 @@
 
 #include "support/errors.hpp"
 #include "tetrarch/core/error.hpp"
+#include "tetrarch/format/read.hpp"
 #include "tetrarch/format/text.hpp"
 
 #include <algorithm>
@@ -18,6 +19,11 @@
 namespace tetrarch::format::test {
 
 using support::error_of;
+
+/// The message about what should be a triangulation.
+inline std::string complaint(const std::string& text, const std::string& source = "f") {
+  return error_of([&] { read_any(text, source); });
+}
 
 inline std::string data(const std::string& name) {
   return std::string(TETRARCH_SOURCE_DIR) + "/tests/data/format/" + name;

@@ -36,7 +36,7 @@ Homology: Z^2
 -------------------
 )";
 
-std::string complaint(const std::string& text) {
+std::string record_complaint(const std::string& text) {
   return error_of([&] { read_fmp(text, "f"); });
 }
 
@@ -152,15 +152,16 @@ TEST_CASE("a census record survives as a document", "[fmp]") {
 
 TEST_CASE("wrong census records", "[bad][fmp]") {
   const auto spoilt = [](const std::string& from, const std::string& to) {
-    return complaint(with(knotted_y, from, to));
+    return record_complaint(with(knotted_y, from, to));
   };
-  CHECK(complaint("") == "f:1: the text ends, expected the number of tetrahedra, at least 1");
-  CHECK(complaint("0\n") == "f:1: found '0', expected the number of tetrahedra, at least 1");
-  CHECK(complaint("2\n1 1 1") == "f:2: the text ends, expected a neighbor of tetrahedron 0, 0 to 1");
-  CHECK(complaint("1\n1 0 0 0") == "f:2: found '1', expected a neighbor of tetrahedron 0, 0 to 0");
-  CHECK(complaint("1\n0 0 0 0\n0123 0123 0123 0122") ==
+  CHECK(record_complaint("") == "f:1: the text ends, expected the number of tetrahedra, at least 1");
+  CHECK(record_complaint("0\n") == "f:1: found '0', expected the number of tetrahedra, at least 1");
+  CHECK(record_complaint("2\n1 1 1") == "f:2: the text ends, expected a neighbor of tetrahedron 0, 0 to 1");
+  CHECK(record_complaint("1\n1 0 0 0") == "f:2: found '1', expected a neighbor of tetrahedron 0, 0 to 0");
+  CHECK(record_complaint("1\n0 0 0 0\n0123 0123 0123 0122") ==
         "f:3: found '0122', expected a permutation of tetrahedron 0, like 0132");
-  CHECK(complaint("1\n0 0 0 0\n0123 0123 0123 0123") == "f:3: face 0 of tetrahedron 0 is glued to itself");
+  CHECK(record_complaint("1\n0 0 0 0\n0123 0123 0123 0123") ==
+        "f:3: face 0 of tetrahedron 0 is glued to itself");
   CHECK(spoilt("N. 1 ", "N. 2 ") == "f:8: found '2', expected the angles of tetrahedron 1 next");
   CHECK(spoilt("N. 0 ", "N. 0 1") ==
         "f:7: found '0.5235987756', expected the end of the line after six angles");

@@ -17,7 +17,7 @@ using namespace tetrarch::format::test;
 
 namespace {
 
-std::string rewritten(const std::string& text) {
+std::string read_and_written(const std::string& text) {
   return write_json(read_json(text, "text"));
 }
 
@@ -28,7 +28,7 @@ TEST_CASE("reading what was written gives the same bytes", "[json]") {
   for (const std::string& path : files_in("good")) {
     INFO(path);
     const std::string text = read_file(path);
-    CHECK(rewritten(text) == text);
+    CHECK(read_and_written(text) == text);
   }
   for (const support::ZooEntry& entry : support::zoo()) {
     INFO(entry.name);
@@ -44,7 +44,7 @@ TEST_CASE("layout is canonical, whatever it was", "[json]") {
   const std::string text = R"({"version":1,"tetrahedra":1,"format":"tetrarch-triangulation",
       "gluings":[[null,
                   null,[0,"1230"],[0,"3012"]]],"x":[1,{"y":2}]})";
-  CHECK(rewritten(text) == R"({
+  CHECK(read_and_written(text) == R"({
   "version": 1,
   "tetrahedra": 1,
   "format": "tetrarch-triangulation",
@@ -109,7 +109,7 @@ TEST_CASE("doubles of every size survive as metric", "[json]") {
             Number(18446744073709551616.0),  Number(-9223372036854775808.0)};
   const std::string text = write_json(document);
   CHECK(read_json(text, "text").metric->dihedral_angles[0] == angles);
-  CHECK(rewritten(text) == text);
+  CHECK(read_and_written(text) == text);
 }
 
 TEST_CASE("a name that is no UTF-8 does not stop the saving", "[json]") {
@@ -139,7 +139,7 @@ TEST_CASE("no locale changes a document", "[json]") {
   const std::string old_c = std::setlocale(LC_NUMERIC, nullptr);
   for (const char* const name : {"de_DE.UTF-8", "de_DE.utf8", "de_DE"})
     if (std::setlocale(LC_NUMERIC, name) != nullptr) break;
-  const std::string result = rewritten(text);
+  const std::string result = read_and_written(text);
   std::setlocale(LC_NUMERIC, old_c.c_str());
   std::locale::global(old);
   CHECK(result == text);

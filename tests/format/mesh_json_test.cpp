@@ -21,7 +21,7 @@ namespace {
 using On = MeshField::On;
 
 /// Lines are counted by hand; the first is line 1.
-const std::string sound = R"({
+const std::string sound_mesh = R"({
   "format": "tetrarch-mesh",
   "version": 1,
   "vertices": [
@@ -49,11 +49,11 @@ const std::string sound = R"({
 }
 )";
 
-std::string complaint(const std::string& text) {
+std::string mesh_complaint(const std::string& text) {
   return error_of([&] { read_mesh_json(text, "f"); });
 }
-std::string spoilt(const std::string& from, const std::string& to) {
-  return complaint(with(sound, from, to));
+std::string spoilt_mesh(const std::string& from, const std::string& to) {
+  return mesh_complaint(with(sound_mesh, from, to));
 }
 
 MeshDocument with_field(MeshField field) {
@@ -103,14 +103,14 @@ TEST_CASE("a mesh with everything survives as JSON", "[json][mesh]") {
 }
 
 TEST_CASE("a JSON mesh is read as any other mesh", "[json][mesh]") {
-  CHECK(recognise_mesh(sound, "f.json") == MeshFormat::json);
+  CHECK(recognise_mesh(sound_mesh, "f.json") == MeshFormat::json);
   CHECK(recognise_mesh("{\"x\": [{\"format\": 1}], \"format\": \"tetrarch-mesh\"}", "f") == MeshFormat::json);
   CHECK_FALSE(recognise_mesh("{\"format\": \"tetrarch-triangulation\"}", "f.obj"));
   CHECK_FALSE(recognise_mesh("{\"x\": {\"format\": \"tetrarch-mesh\"}}", "f.json"));
   CHECK_FALSE(looks_like_mesh_json(R"({"format": "tetrarch-group", "format": "tetrarch-mesh"})"));
   CHECK_FALSE(looks_like_mesh_json("[\"format\", \"tetrarch-mesh\"]"));
   CHECK_FALSE(looks_like_mesh_json(std::string(1000000, '[')));
-  const Soup soup = read_soup(sound, "f");
+  const Soup soup = read_soup(sound_mesh, "f");
   CHECK(soup.source == "f");
   CHECK(soup.points.size() == 3);
   CHECK(soup.triangle_tags == std::vector<int>{4});
@@ -119,49 +119,52 @@ TEST_CASE("a JSON mesh is read as any other mesh", "[json][mesh]") {
 }
 
 TEST_CASE("bad JSON meshes are told by place and cause", "[bad][json][mesh]") {
-  CHECK(complaint(sound).empty());
-  CHECK(complaint("") == "f: the text is empty, expected a JSON object");
-  CHECK(complaint("{}") == "f:1: the member \"format\" is missing");
-  CHECK(spoilt("tetrarch-mesh", "tetrarch-triangulation") ==
+  CHECK(mesh_complaint(sound_mesh).empty());
+  CHECK(mesh_complaint("") == "f: the text is empty, expected a JSON object");
+  CHECK(mesh_complaint("{}") == "f:1: the member \"format\" is missing");
+  CHECK(spoilt_mesh("tetrarch-mesh", "tetrarch-triangulation") ==
         "f:2: format: found the string 'tetrarch-triangulation', expected \"tetrarch-mesh\"");
-  CHECK(spoilt("\"version\": 1", "\"version\": 2") == "f:3: version: found the number 2, expected version 1");
-  CHECK(spoilt("\"vertices\": [", "\"points\": [") == "f:1: the member \"vertices\" is missing");
-  CHECK(spoilt("[1, 0, 0]", "[1, 0]") == "f:6: vertices[1]: found 2 entries, expected 3 coordinates");
-  CHECK(spoilt("[1, 0, 0]", "7") ==
+  CHECK(spoilt_mesh("\"version\": 1", "\"version\": 2") ==
+        "f:3: version: found the number 2, expected version 1");
+  CHECK(spoilt_mesh("\"vertices\": [", "\"points\": [") == "f:1: the member \"vertices\" is missing");
+  CHECK(spoilt_mesh("[1, 0, 0]", "[1, 0]") == "f:6: vertices[1]: found 2 entries, expected 3 coordinates");
+  CHECK(spoilt_mesh("[1, 0, 0]", "7") ==
         "f:6: vertices[1]: found the number 7, expected an array of 3 coordinates");
-  CHECK(spoilt("[1, 0, 0]", "[1, null, 0]") == "f:6: vertices[1][1]: found null, expected a number");
-  CHECK(spoilt("[0, 1, 2]", "[0, 1, 3]") ==
+  CHECK(spoilt_mesh("[1, 0, 0]", "[1, null, 0]") == "f:6: vertices[1][1]: found null, expected a number");
+  CHECK(spoilt_mesh("[0, 1, 2]", "[0, 1, 3]") ==
         "f:10: triangles[0][2]: found the number 3, expected a vertex, 0 to 2");
-  CHECK(spoilt("[0, 1, 2]", "[0, -1, 2]") ==
+  CHECK(spoilt_mesh("[0, 1, 2]", "[0, -1, 2]") ==
         "f:10: triangles[0][1]: found the number -1, expected a vertex, 0 to 2");
-  CHECK(spoilt("[0, 1, 2]", "[0, 18446744073709551615, 2]") ==
+  CHECK(spoilt_mesh("[0, 1, 2]", "[0, 18446744073709551615, 2]") ==
         "f:10: triangles[0][1]: found the number 18446744073709551615, expected a vertex, 0 to 2");
-  CHECK(spoilt("    4\n", "    4, 5\n") ==
+  CHECK(spoilt_mesh("    4\n", "    4, 5\n") ==
         "f:12: triangle_tags: found 2 entries, expected 1 entries, one per triangle");
-  CHECK(spoilt("    4\n", "    4.5\n") ==
+  CHECK(spoilt_mesh("    4\n", "    4.5\n") ==
         "f:13: triangle_tags[0]: found the number 4.5, expected an integer");
-  CHECK(spoilt("\"fields\": [", "\"fields\": [3,") ==
+  CHECK(spoilt_mesh("\"fields\": [", "\"fields\": [3,") ==
         "f:15: fields[0]: found the number 3, expected an object");
-  CHECK(spoilt("\"name\"", "\"title\"") == "f:16: fields[0]: the member \"name\" is missing");
-  CHECK(spoilt("\"uv\"", "1") == "f:17: fields[0].name: found the number 1, expected a string");
-  CHECK(spoilt("\"on\": \"vertices\"", "\"on\": \"edges\"") ==
+  CHECK(spoilt_mesh("\"name\"", "\"title\"") == "f:16: fields[0]: the member \"name\" is missing");
+  CHECK(spoilt_mesh("\"uv\"", "1") == "f:17: fields[0].name: found the number 1, expected a string");
+  CHECK(spoilt_mesh("\"on\": \"vertices\"", "\"on\": \"edges\"") ==
         "f:18: fields[0].on: found the string 'edges', expected one of \"vertices\", \"triangles\", "
         "\"tetrahedra\", \"hexahedra\", \"triangle corners\", \"tetrahedron corners\"");
-  CHECK(spoilt("\"on\": \"vertices\"", "\"on\": \"triangles\"") ==
+  CHECK(spoilt_mesh("\"on\": \"vertices\"", "\"on\": \"triangles\"") ==
         "f:19: fields[0].values: found 3 entries, expected 1 entries, one for each of the triangles");
-  CHECK(spoilt("[1, null]", "1") ==
+  CHECK(spoilt_mesh("[1, null]", "1") ==
         "f:21: fields[0].values[1]: found 1, expected 2 components as in the entries before");
-  CHECK(spoilt("[1, null]", "[1, true]") == "f:21: fields[0].values[1][1]: found true, expected a number");
-  CHECK(spoilt("[1, null]", "[]") ==
+  CHECK(spoilt_mesh("[1, null]", "[1, true]") ==
+        "f:21: fields[0].values[1][1]: found true, expected a number");
+  CHECK(spoilt_mesh("[1, null]", "[]") ==
         "f:21: fields[0].values[1]: found an array of 0, expected one to three numbers");
-  CHECK(spoilt("[1, null]", "[1, 9007199254740993]").find("a double would lose some") != std::string::npos);
-  CHECK(complaint(R"({"format":"tetrarch-mesh","version":1,"vertices":[],"triangles":[[0,0,0]]})") ==
+  CHECK(spoilt_mesh("[1, null]", "[1, 9007199254740993]").find("a double would lose some") !=
+        std::string::npos);
+  CHECK(mesh_complaint(R"({"format":"tetrarch-mesh","version":1,"vertices":[],"triangles":[[0,0,0]]})") ==
         "f:1: triangles[0][0]: found the number 0, expected no vertex, as there are none");
 }
 
 TEST_CASE("a JSON mesh cut anywhere is refused", "[bad][json][mesh]") {
-  for (std::size_t length = 0; length < sound.rfind('}'); ++length) {
-    const std::string message = complaint(sound.substr(0, length));
+  for (std::size_t length = 0; length < sound_mesh.rfind('}'); ++length) {
+    const std::string message = mesh_complaint(sound_mesh.substr(0, length));
     REQUIRE_FALSE(message.empty());
     REQUIRE(message.find('\n') == std::string::npos);
   }

@@ -16,7 +16,7 @@ using namespace tetrarch::format::test;
 namespace {
 
 // The lines of edges are those of the example files 8knot.orb and Graphs2_0.orb that come with Orb.
-const std::string figure_eight = R"(% orb
+const std::string orb_figure_eight = R"(% orb
 8knot
 SolutionType geometric_solution
 vertices_known
@@ -33,14 +33,10 @@ std::string graph() {
   return read_file(data("graphs2_0.orb"));
 }
 
-std::string complaint(const std::string& text) {
-  return error_of([&] { read_any(text, "f"); });
-}
-
 } // namespace
 
 TEST_CASE("an Orb file is read", "[orb]") {
-  const Document document = read_any(figure_eight, "f");
+  const Document document = read_any(orb_figure_eight, "f");
   CHECK(document.name == "8knot");
   CHECK(document.passed_over.empty());
   // Orb's file is of the figure-eight knot's complement, and so is this signature (Regina's census, m004).
@@ -67,7 +63,7 @@ TEST_CASE("an Orb file of a graph's complement is read", "[orb]") {
 
 TEST_CASE("wrong Orb files", "[bad][orb]") {
   const auto spoilt = [](const std::string& from, const std::string& to) {
-    return complaint(with(figure_eight, from, to));
+    return complaint(with(orb_figure_eight, from, to));
   };
   CHECK(complaint("% orb") == "f:1: the text ends, expected the first edge");
   CHECK(spoilt("1wx", "1wy") == "f:7: found '1wy', expected a tetrahedron and two of its faces, like 2xv");
@@ -81,8 +77,8 @@ TEST_CASE("wrong Orb files", "[bad][orb]") {
   CHECK(spoilt("  2  0 1.000", "  3  0 1.000") == "f:7: found '3', expected the number of an edge, 2");
   CHECK(spoilt("  2  0 1.000  1  1  2xw  1wx  2wu  1vu  2uv  1uw", "  2  0") ==
         "f:7: the line ends, expected a singular order");
-  for (std::size_t size = 0; size < figure_eight.find("\n\n  1  -23"); ++size) {
-    const std::string message = complaint(figure_eight.substr(0, size));
+  for (std::size_t size = 0; size < orb_figure_eight.find("\n\n  1  -23"); ++size) {
+    const std::string message = complaint(orb_figure_eight.substr(0, size));
     INFO(size << ": " << message);
     CHECK((size < 2 || !message.empty()));
     CHECK(message.find('\n') == std::string::npos);

@@ -18,10 +18,6 @@ using namespace tetrarch::format::test;
 
 namespace {
 
-std::string complaint(const std::string& text, const std::string& source = "f") {
-  return error_of([&] { read_any(text, source); });
-}
-
 const std::string any = "a triangulation: Tetrarch JSON, a SnapPea, Regina or Orb file, a census record or "
                         "an isomorphism signature";
 

@@ -16,11 +16,7 @@ using namespace tetrarch::format::test;
 
 namespace {
 
-std::string complaint(const std::string& text) {
-  return error_of([&] { read_any(text, "f"); });
-}
-
-const std::string figure_eight = R"(<?xml version="1.0"?>
+const std::string regina_figure_eight = R"(<?xml version="1.0"?>
 <regina engine="7.3">
 <container label="">
 <tri dim="3" size="2" perm="index" label="figure eight">
@@ -52,7 +48,7 @@ TEST_CASE("Regina's files hold the triangulations that it was given", "[regina]"
   CHECK(read_document(data("rga/open_2.rga")).triangulation ==
         read_document(data("rga/open_3.rga")).triangulation);
   CHECK(read_document(data("rga/open_3.rga")).triangulation.gluing({0, 0}) == Gluing{1, Perm4(0, 2, 1, 3)});
-  CHECK(read_any(figure_eight, "f").triangulation ==
+  CHECK(read_any(regina_figure_eight, "f").triangulation ==
         read_document(data("rga/figure_eight_2.rga")).triangulation);
   // Files of 2003 write the byte with a sign: these two lines are of Regina's own testsuite/engine/file4.rga.
   const auto of_2003 = [](const std::string& code) {
@@ -69,7 +65,7 @@ TEST_CASE("Regina's files hold the triangulations that it was given", "[regina]"
 
 TEST_CASE("wrong Regina files", "[bad][regina]") {
   const auto spoilt = [](const std::string& from, const std::string& to) {
-    return complaint(with(figure_eight, from, to));
+    return complaint(with(regina_figure_eight, from, to));
   };
   CHECK(spoilt("<simplex> 1 11", "<simplex> 1 10").substr(0, 15) == "f:5: face 0 of ");
   CHECK(spoilt("<simplex> 1 11", "<simplex> 1 24") == "f:5: found '24', expected a permutation");
@@ -86,7 +82,7 @@ TEST_CASE("wrong Regina files", "[bad][regina]") {
   CHECK(error_of([&] { read_document(several); }) ==
         several + ": found 2 triangulations of 3-manifolds ('figure eight', 'open'), expected one: say which "
                   "by FILE#1 or FILE#NAME, or FILE#*");
-  CHECK(error_of([&] { write_any(read_any(figure_eight, "f"), FileFormat::regina); }) ==
+  CHECK(error_of([&] { write_any(read_any(regina_figure_eight, "f"), FileFormat::regina); }) ==
         "the format regina is read only, expected json, snappea, signature or fmp");
 }
 
@@ -138,10 +134,12 @@ TEST_CASE("packets that are no triangulations of 3-manifolds are counted", "[reg
 }
 
 TEST_CASE("one bad triangulation does not spoil the others", "[regina]") {
-  const std::string tri = figure_eight.substr(figure_eight.find("<tri"),
-                                              figure_eight.find("</container>") - figure_eight.find("<tri"));
+  const std::string tri =
+      regina_figure_eight.substr(regina_figure_eight.find("<tri"),
+                                 regina_figure_eight.find("</container>") - regina_figure_eight.find("<tri"));
   const std::string bad = with(with(tri, "figure eight", "bad"), "<simplex> 1 11", "<simplex> 1 24");
-  const Collection both = read_regina_packets(with(figure_eight, "</container>", bad + "</container>"), "f");
+  const Collection both =
+      read_regina_packets(with(regina_figure_eight, "</container>", bad + "</container>"), "f");
   REQUIRE(both.elements.size() == 2);
   CHECK(both.elements[0].error.empty());
   CHECK(both.elements[1].name == "bad");
@@ -174,10 +172,10 @@ TEST_CASE("SnapPea packets are read, of both generations", "[regina]") {
 
 TEST_CASE("a file declared to be Latin-1 is read as that", "[regina]") {
   const std::string latin =
-      with(with(figure_eight, "version=\"1.0\"", "version=\"1.0\" encoding=\"ISO-8859-1\""), "figure eight",
-           "caf\xe9");
+      with(with(regina_figure_eight, "version=\"1.0\"", "version=\"1.0\" encoding=\"ISO-8859-1\""),
+           "figure eight", "caf\xe9");
   CHECK(read_any(latin, "f").name == "caf\u00e9");
-  CHECK(read_any("\xEF\xBB\xBF" + figure_eight, "f").name == "figure eight"); // a byte order mark
+  CHECK(read_any("\xEF\xBB\xBF" + regina_figure_eight, "f").name == "figure eight"); // a byte order mark
 }
 
 // rga/two_members.rga was made by gzip from the two halves of a text, one after the other.

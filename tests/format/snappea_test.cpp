@@ -34,11 +34,11 @@ std::map<std::string, Answer> recorded() {
   return answers;
 }
 
-std::string complaint(const std::string& text) {
+std::string snappea_complaint(const std::string& text) {
   return error_of([&] { read_snappea(text, "f"); });
 }
 
-const std::string figure_eight = read_file(data("tri/ours_figure_eight.tri"));
+const std::string snappea_figure_eight = read_file(data("tri/ours_figure_eight.tri"));
 
 } // namespace
 
@@ -135,23 +135,23 @@ TEST_CASE("a Dehn filling is not lost in silence", "[snappea]") {
   // A meridian and a longitude for each of two cusps; our own files leave them to SnapPea.
   CHECK(read_snappea(read_file(data("tri/kernel_whitehead.tri")), "f").passed_over.sentence() ==
         "passed over: peripheral curve (4)");
-  CHECK(read_snappea(figure_eight, "f").passed_over.empty());
+  CHECK(read_snappea(snappea_figure_eight, "f").passed_over.empty());
 }
 
 TEST_CASE("blank lines and line ends from elsewhere do not matter", "[snappea]") {
-  const Triangulation tri = read_snappea(figure_eight, "f").triangulation;
+  const Triangulation tri = read_snappea(snappea_figure_eight, "f").triangulation;
   const auto same = [&tri](const std::string& text, const std::string& name) {
     const Document document = read_snappea(text, "f");
     CHECK(document.triangulation == tri);
     CHECK(document.name == name);
   };
-  const std::string named = with(figure_eight, "unnamed", "4_1 here");
+  const std::string named = with(snappea_figure_eight, "unnamed", "4_1 here");
   same(named, "4_1 here");
   same(with(named, "4_1 here", "\n  \n4_1 here"), "4_1 here");
   same(with(named, "4_1 here", "4_1 here\n\n"), "4_1 here");
   same(with(named, "4_1 here", ""), "");
   same(with(named, "4_1 here\n", ""), "");
-  same(with(figure_eight, "unnamed", "\nunnamed"), "");
+  same(with(snappea_figure_eight, "unnamed", "\nunnamed"), "");
   same("\n\n" + named, "4_1 here");
   for (const std::string end : {"\r", "\r\n"}) {
     std::string text;
@@ -159,7 +159,7 @@ TEST_CASE("blank lines and line ends from elsewhere do not matter", "[snappea]")
     same(text, "4_1 here");
     same(with(text, "4_1 here", end + "4_1 here"), "4_1 here");
     // Lines are counted the same.
-    CHECK(complaint(with(text, "1203", "1202")) ==
+    CHECK(snappea_complaint(with(text, "1203", "1202")) ==
           "f:9: found '1202', expected a permutation of tetrahedron 0, like 0132");
   }
 }
@@ -175,9 +175,9 @@ TEST_CASE("what a SnapPea file cannot hold is refused", "[bad][snappea]") {
 TEST_CASE("a SnapPea file cut anywhere names its last line and what was expected", "[bad][snappea]") {
   // Lines counted by hand in ours_figure_eight.tri: 7 the number of tetrahedra, 8 and 9 the first gluings.
   const auto cut = [&](const std::string& before) {
-    return complaint(figure_eight.substr(0, figure_eight.find(before)));
+    return snappea_complaint(snappea_figure_eight.substr(0, snappea_figure_eight.find(before)));
   };
-  CHECK(complaint("% Triang") == "f:1: found '% Triang', expected \"% Triangulation\"");
+  CHECK(snappea_complaint("% Triang") == "f:1: found '% Triang', expected \"% Triangulation\"");
   CHECK(cut("not_attempted") == "f:2: the text ends, expected a solution type such as not_attempted");
   CHECK(cut("0 0\n2\n") == "f:5: the text ends, expected the number of torus cusps");
   CHECK(cut(" 0123 1203") == "f:8: the text ends, expected a permutation of tetrahedron 0, like 0132");
@@ -185,21 +185,21 @@ TEST_CASE("a SnapPea file cut anywhere names its last line and what was expected
   CHECK(cut("  -1   -1   -1") == "f:9: the text ends, expected a cusp index of tetrahedron 0");
   CHECK(cut("0.0 0.0\n   0") == "f:14: the text ends, expected the shape of tetrahedron 0, two numbers");
   CHECK(cut("   0    0    0    0\n") == "f:15: the text ends, expected a neighbor of tetrahedron 1, 0 to 1");
-  for (std::size_t length = 0; length + 2 < figure_eight.size(); ++length) {
-    const std::string message = complaint(figure_eight.substr(0, length));
+  for (std::size_t length = 0; length + 2 < snappea_figure_eight.size(); ++length) {
+    const std::string message = snappea_complaint(snappea_figure_eight.substr(0, length));
     INFO(length << ": " << message);
     // Of "0.0", "0." and "0" are numbers as well: only the last figure's own digits may be missing unnoticed.
-    if (length + 4 < figure_eight.size()) REQUIRE_FALSE(message.empty());
+    if (length + 4 < snappea_figure_eight.size()) REQUIRE_FALSE(message.empty());
     REQUIRE(message.find('\n') == std::string::npos);
   }
 }
 
 TEST_CASE("wrong entries of a SnapPea file", "[bad][snappea]") {
   const auto spoilt = [&](const std::string& from, const std::string& to) {
-    return complaint(with(figure_eight, from, to));
+    return snappea_complaint(with(snappea_figure_eight, from, to));
   };
-  CHECK(complaint("") == "f:1: the text ends, expected \"% Triangulation\"");
-  CHECK(complaint("% orb\n") == "f:1: found '% orb', expected \"% Triangulation\"");
+  CHECK(snappea_complaint("") == "f:1: the text ends, expected \"% Triangulation\"");
+  CHECK(snappea_complaint("% orb\n") == "f:1: found '% orb', expected \"% Triangulation\"");
   CHECK(spoilt("not_attempted", "attempted") ==
         "f:3: found 'attempted', expected a solution type such as not_attempted");
   CHECK(spoilt("unknown_orient", "un_orient") == "f:4: found 'un_orientability', expected oriented_manifold, "
@@ -218,5 +218,6 @@ TEST_CASE("wrong entries of a SnapPea file", "[bad][snappea]") {
   CHECK(spoilt("1203", "1202") == "f:9: found '1202', expected a permutation of tetrahedron 0, like 0132");
   CHECK(spoilt("1203", "0132") == "f:9: face 1 of tetrahedron 1 is glued twice: to face 1 of "
                                   "tetrahedron 0 and to face 3 of tetrahedron 0");
-  CHECK(complaint(figure_eight + "x") == "f:24: found 'x', expected the end after 2 tetrahedra");
+  CHECK(snappea_complaint(snappea_figure_eight + "x") ==
+        "f:24: found 'x', expected the end after 2 tetrahedra");
 }

@@ -19,14 +19,14 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-OrbifoldStructure solve(const Triangulation& tri, const Marks& marks, const OrbifoldOptions& options = {}) {
+OrbifoldStructure solved(const Triangulation& tri, const Marks& marks, const OrbifoldOptions& options = {}) {
   const Skeleton skeleton(tri);
   return solve_orbifold(tri, skeleton, edge_orders(skeleton, marks), options);
 }
 
-OrbifoldStructure solve(const std::string& gluings, const std::string& marks,
-                        const OrbifoldOptions& options = {}) {
-  return solve(samples::gluings(gluings), samples::marks(marks), options);
+OrbifoldStructure solved(const std::string& gluings, const std::string& marks,
+                         const OrbifoldOptions& options = {}) {
+  return solved(samples::gluings(gluings), samples::marks(marks), options);
 }
 
 OrbifoldOptions by(OrbifoldMethod method) {
@@ -101,7 +101,7 @@ const char* const honours3 =
 TEST_CASE("structures with marked edges have the known volumes", "[orbifold]") {
   for (const Known& k : known()) {
     INFO(k.gluings << " | " << k.marks);
-    const OrbifoldStructure s = solve(k.gluings, k.marks);
+    const OrbifoldStructure s = solved(k.gluings, k.marks);
     REQUIRE(s.outcome == OrbifoldOutcome::geometric);
     CHECK(s.method == OrbifoldMethod::newton);
     CHECK(std::abs(s.volume - k.volume) < 5e-13 + s.volume_error);
@@ -113,8 +113,8 @@ TEST_CASE("structures with marked edges have the known volumes", "[orbifold]") {
 TEST_CASE("the homotopy arrives where Newton's method does", "[orbifold][homotopy]") {
   for (const Known& k : known()) {
     INFO(k.gluings << " | " << k.marks);
-    const OrbifoldStructure newton = solve(k.gluings, k.marks, by(OrbifoldMethod::newton));
-    const OrbifoldStructure path = solve(k.gluings, k.marks, by(OrbifoldMethod::homotopy));
+    const OrbifoldStructure newton = solved(k.gluings, k.marks, by(OrbifoldMethod::newton));
+    const OrbifoldStructure path = solved(k.gluings, k.marks, by(OrbifoldMethod::homotopy));
     REQUIRE(path.outcome == OrbifoldOutcome::geometric);
     CHECK(path.method == OrbifoldMethod::homotopy);
     CHECK(std::abs(path.volume - newton.volume) <= 1e-13 + path.volume_error + newton.volume_error);
@@ -129,7 +129,7 @@ TEST_CASE("the types of vertices follow from the marks", "[orbifold]") {
   const Skeleton skeleton(tri);
   const auto types = [&](const std::vector<std::string>& orders) {
     std::string text;
-    const auto s = solve(tri, samples::marks(k4_orders(orders)));
+    const auto s = solved(tri, samples::marks(k4_orders(orders)));
     for (int v = 0; v < 4; ++v) text += to_string(s.types[skeleton.vertex({0, v})])[0];
     return text;
   };
@@ -150,7 +150,7 @@ TEST_CASE("boundary components have the area that their marks say", "[orbifold]"
     INFO(k.gluings << " | " << k.marks);
     const Triangulation tri = samples::gluings(k.gluings);
     const Skeleton skeleton(tri);
-    const OrbifoldStructure s = solve(tri, samples::marks(k.marks));
+    const OrbifoldStructure s = solved(tri, samples::marks(k.marks));
     const auto euler = orbifold_euler(skeleton, s.orders);
     for (const VertexId v : all<VertexId>(skeleton.vertex_count())) {
       double area = 0;
@@ -185,13 +185,13 @@ TEST_CASE("Schlaefli's formula holds with cone angles", "[orbifold]") {
 // Integrating dV = -1/2 sum l d(2 pi / n) from angle 0, where l behaves like c / n: n^2 (V_0 - V) -> pi/2 sum
 // n l.
 TEST_CASE("small cone angles tend to parabolic meridians", "[orbifold]") {
-  const double limit = solve(samples::theta, "0-01:0 0-12:0 1-23:0").volume;
+  const double limit = solved(samples::theta, "0-01:0 0-12:0 1-23:0").volume;
   const Triangulation tri = samples::gluings(samples::theta);
   const Skeleton skeleton(tri);
   double previous = limit;
   for (const double n : {40.0, 80.0, 160.0}) {
     const std::string order = std::to_string(n);
-    const auto s = solve(tri, samples::marks("0-01:" + order + " 0-12:" + order + " 1-23:" + order));
+    const auto s = solved(tri, samples::marks("0-01:" + order + " 0-12:" + order + " 1-23:" + order));
     REQUIRE(s.outcome == OrbifoldOutcome::geometric);
     double sum = 0;
     for (const EdgeId e : all<EdgeId>(skeleton.edge_count()))
@@ -205,8 +205,8 @@ TEST_CASE("small cone angles tend to parabolic meridians", "[orbifold]") {
 TEST_CASE("tetrahedra that turn over add up to the right volume", "[orbifold][homotopy]") {
   const format::Document good = format::read_any(orb(positive), "positive");
   const format::Document folded = format::read_any(orb(flat), "flat");
-  const OrbifoldStructure a = solve(good.triangulation, good.marks);
-  const OrbifoldStructure b = solve(folded.triangulation, folded.marks);
+  const OrbifoldStructure a = solved(good.triangulation, good.marks);
+  const OrbifoldStructure b = solved(folded.triangulation, folded.marks);
   REQUIRE(a.outcome == OrbifoldOutcome::geometric);
   REQUIRE(b.outcome == OrbifoldOutcome::turned_over);
   CHECK(b.flat() == 1);
@@ -214,7 +214,7 @@ TEST_CASE("tetrahedra that turn over add up to the right volume", "[orbifold][ho
   CHECK(std::abs(a.volume - b.volume) <= a.volume_error + b.volume_error);
   // The volume of Regina's closed census m004(6,1), and SnapPea's.
   const format::Document negative = format::read_any(orb(honours3), "honours3");
-  const OrbifoldStructure c = solve(negative.triangulation, negative.marks);
+  const OrbifoldStructure c = solved(negative.triangulation, negative.marks);
   REQUIRE(c.outcome == OrbifoldOutcome::turned_over);
   CHECK(c.negative() == 1);
   CHECK(std::abs(c.volume - 1.2844853004683544) < 1e-9);
@@ -242,7 +242,7 @@ TEST_CASE("closed manifolds are solved by the homotopy", "[orbifold][homotopy]")
 
 // One of Regina's census whose own triangulation has a tetrahedron turned over, and none that is flat.
 TEST_CASE("a tetrahedron turned over counts negatively", "[orbifold][homotopy]") {
-  const OrbifoldStructure s = solve(from_signature("nLLLwALMQkcegffhlimklmmlhthanctnqrrfnj"), {});
+  const OrbifoldStructure s = solved(from_signature("nLLLwALMQkcegffhlimklmmlhthanctnqrrfnj"), {});
   REQUIRE(s.outcome == OrbifoldOutcome::turned_over);
   CHECK(s.negative() == 1);
   CHECK(s.flat() == 0);
@@ -295,18 +295,18 @@ TEST_CASE("the search keeps the marks and the volume", "[orbifold]") {
 }
 
 TEST_CASE("what no hyperbolic orbifold has is said", "[orbifold][bad]") {
-  const auto outcome = [](const std::string& gluings, const std::string& marks) {
-    return solve(gluings, marks).outcome;
+  const auto orbifold_outcome = [](const std::string& gluings, const std::string& marks) {
+    return solved(gluings, marks).outcome;
   };
   // One cone point on a sphere; two of different angles.
-  CHECK(outcome(samples::k4, "0-01:3") == OrbifoldOutcome::bad_vertex);
-  CHECK(outcome(samples::k4, "0-01:3 0-12:4 0-02:3") == OrbifoldOutcome::bad_vertex);
-  CHECK(solve(samples::k4, "0-01:3").vertex.value >= 0);
+  CHECK(orbifold_outcome(samples::k4, "0-01:3") == OrbifoldOutcome::bad_vertex);
+  CHECK(orbifold_outcome(samples::k4, "0-01:3 0-12:4 0-02:3") == OrbifoldOutcome::bad_vertex);
+  CHECK(solved(samples::k4, "0-01:3").vertex.value >= 0);
   // A triangle of null edges: its three vertices are cusps.
-  CHECK(outcome(samples::k4, "0-01:0 0-12:0 0-02:0") == OrbifoldOutcome::null_edge);
-  CHECK(outcome("0:1023 0:1023 0:0132 0:0132", "") == OrbifoldOutcome::low_valence);
-  CHECK(solve(Triangulation(), {}).outcome == OrbifoldOutcome::invalid);
-  CHECK(solve(Triangulation(1), {}).outcome == OrbifoldOutcome::boundary_faces);
+  CHECK(orbifold_outcome(samples::k4, "0-01:0 0-12:0 0-02:0") == OrbifoldOutcome::null_edge);
+  CHECK(orbifold_outcome("0:1023 0:1023 0:0132 0:0132", "") == OrbifoldOutcome::low_valence);
+  CHECK(solved(Triangulation(), {}).outcome == OrbifoldOutcome::invalid);
+  CHECK(solved(Triangulation(1), {}).outcome == OrbifoldOutcome::boundary_faces);
   const Triangulation tri = samples::gluings(samples::k4);
   const Skeleton skeleton(tri);
   CHECK_THROWS_AS(solve_orbifold(tri, skeleton, EdgeOrders(2, 1.0)), PreconditionError);

@@ -20,7 +20,6 @@ using namespace tetrarch;
 using namespace tetrarch::catalogue;
 using namespace tetrarch::identify;
 using namespace tetrarch::support;
-using By = Identification::By;
 
 namespace {
 
@@ -68,7 +67,7 @@ void check_round_trips(const std::vector<Manifold>& manifolds, std::size_t step,
     const Identification found = identify::identify(tri);
     INFO(m.name << " of " << tri.size() << " tetrahedra: " << told(found));
     CHECK(found.name == m.name);
-    CHECK(found.by == By::isometry_signature);
+    CHECK(found.by == Identification::By::isometry_signature);
     REQUIRE(found.manifold);
     CHECK(*found.manifold == m);
     CHECK(found.volume.value_or(0) == Approx(std::stod(m.volume)).epsilon(1e-10));
@@ -126,12 +125,12 @@ TEST_CASE("cusped manifolds of fame are known by name", "[identify]") {
 }
 
 TEST_CASE("without a structure the triangulation or the group may tell", "[identify]") {
-  const std::vector<std::tuple<std::string, std::string, By>> names{
-      {"L(7,2)", "L(7,2)", By::triangulation},
-      {"3-torus", "T^3", By::group},
-      {"B^3, one tetrahedron", "B^3", By::group},
-      {"genus 2 handlebody", "genus 2 handlebody", By::group},
-      {"solid Klein bottle", "solid Klein bottle", By::group}};
+  const std::vector<std::tuple<std::string, std::string, Identification::By>> names{
+      {"L(7,2)", "L(7,2)", Identification::By::triangulation},
+      {"3-torus", "T^3", Identification::By::group},
+      {"B^3, one tetrahedron", "B^3", Identification::By::group},
+      {"genus 2 handlebody", "genus 2 handlebody", Identification::By::group},
+      {"solid Klein bottle", "solid Klein bottle", Identification::By::group}};
   for (const auto& [entry, name, by] : names) {
     const Identification found = identify::identify(moves::barycentric(zoo(entry).triangulation()).tri);
     INFO(entry << ": " << told(found));

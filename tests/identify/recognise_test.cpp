@@ -16,7 +16,6 @@
 using namespace tetrarch;
 using namespace tetrarch::identify;
 using namespace tetrarch::support;
-using By = Recognition::By;
 
 namespace {
 
@@ -46,7 +45,7 @@ std::string without_q(const std::string& lens) {
 TEST_CASE("names are Regina's", "[recognise][oracle]") {
   std::ifstream in(TETRARCH_SOURCE_DIR "/tests/oracle/regina_names.txt");
   REQUIRE(in);
-  std::map<By, int> count;
+  std::map<Recognition::By, int> count;
   int undecided = 0;
   Random random(5);
   for (std::string line; std::getline(in, line);) {
@@ -61,7 +60,7 @@ TEST_CASE("names are Regina's", "[recognise][oracle]") {
     CHECK_FALSE(r.because.empty());
     if (r.name.ends_with("?)")) {
       ++undecided;
-      CHECK(r.by == By::group);
+      CHECK(r.by == Recognition::By::group);
       CHECK(r.name == without_q(expected));
     } else {
       CHECK(r.name == expected);
@@ -70,9 +69,9 @@ TEST_CASE("names are Regina's", "[recognise][oracle]") {
     const Recognition again = recognise(relabelled(tri, random_relabelling(tri.size(), random)));
     CHECK((again.by == r.by && again.name == r.name));
   }
-  CHECK(count[By::triangulation] > 200);
-  CHECK(count[By::group] > 200);
-  CHECK(count[By::nothing] > 10);
+  CHECK(count[Recognition::By::triangulation] > 200);
+  CHECK(count[Recognition::By::group] > 200);
+  CHECK(count[Recognition::By::nothing] > 10);
   CHECK(undecided < 200);
 }
 
@@ -84,7 +83,7 @@ TEST_CASE("every minimal layered lens space is named by its layers", "[recognise
     const std::string name = line.substr(line.find('|') + 1);
     if (line.starts_with("#") || !name.starts_with("L(")) continue;
     const Recognition r = recognise(from_signature(line.substr(0, line.find('|'))));
-    if (r.by == By::triangulation) layered.insert(r.name);
+    if (r.by == Recognition::By::triangulation) layered.insert(r.name);
   }
   // By hand: lens spaces up to orientation-reversal, q among +-q, +-1/q.
   std::set<std::string> all;

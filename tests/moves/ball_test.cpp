@@ -33,14 +33,14 @@ std::string invariants(const Triangulation& tri) {
 }
 
 /// Closed and bounded, orientable and not, one to five tetrahedra; from Regina's census (tricensus).
-const char* const zoo[] = {"bkaagb",    "cMcabbgqs",   "cMcabbjdw",   "cPcbbbihq",
-                           "cPcbbbiht", "dLQacccjcog", "dLQbcccdero", "baa"};
+const char* const signatures[] = {"bkaagb",    "cMcabbgqs",   "cMcabbjdw",   "cPcbbbihq",
+                                  "cPcbbbiht", "dLQacccjcog", "dLQbcccdero", "baa"};
 
 } // namespace
 
 TEST_CASE("a 2-3 move and the 3-2 move on its new edge restore the signature", "[moves]") {
   int moved = 0;
-  for (const char* name : zoo) {
+  for (const char* name : signatures) {
     const Triangulation tri = from_signature(name);
     for (int t = 0; t < tri.size(); ++t) {
       for (int f = 0; f < 4; ++f) {

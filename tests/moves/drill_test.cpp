@@ -41,7 +41,7 @@ void for_each_edge_set(const Skeleton& skeleton, Visit visit) {
   }
 }
 
-std::vector<std::string> boundary_types(const Triangulation& tri) {
+std::vector<std::string> drilled_boundary_types(const Triangulation& tri) {
   std::vector<std::string> types;
   for (const BoundaryComponent& b : boundary_components(tri, Skeleton(tri)))
     if (!b.type.is_sphere()) types.push_back(b.type.str());
@@ -52,7 +52,7 @@ std::vector<std::string> boundary_types(const Triangulation& tri) {
 /// First homology, group (as simplified) and boundary but for spheres.
 std::string description(const Triangulation& tri) {
   std::string text = first_homology(tri);
-  for (const std::string& type : boundary_types(tri)) text += ", " + type;
+  for (const std::string& type : drilled_boundary_types(tri)) text += ", " + type;
   return text;
 }
 

@@ -21,10 +21,6 @@ using namespace tetrarch;
 using namespace tetrarch::slit;
 using namespace tetrarch::support;
 
-Complex moebius(Complex z) {
-  return (z + 0.4) / (1.0 + 0.4 * z);
-}
-
 /// The slits that `slit_ring(two_slits(), ...)` has.
 SlitRing exact_ring() {
   return {std::exp(-1.0),

@@ -17,6 +17,11 @@ using Complex = std::complex<double>;
 
 constexpr double full_turn = 2 * std::numbers::pi;
 
+/// A map of the unit disk to itself.
+inline Complex moebius(Complex z) {
+  return (z + 0.4) / (1.0 + 0.4 * z);
+}
+
 /// A ring of modulus 1 with two slits of a quarter turn: at height 1/4 from sector 2, at 1/2 from sector 9.
 inline support::CylinderGrid two_slits() {
   support::CylinderGrid grid;

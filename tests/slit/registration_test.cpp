@@ -21,10 +21,6 @@ using namespace tetrarch::support;
 
 using SpacePoint = std::array<double, 3>;
 
-Complex moebius(Complex z) {
-  return (z + 0.4) / (1.0 + 0.4 * z);
-}
-
 Complex other_moebius(Complex z) {
   return (z - Complex(0, 0.3)) / (1.0 + Complex(0, 0.3) * z);
 }
@@ -38,21 +34,22 @@ auto rolled(const Bend& bend) {
   };
 }
 
-double distance(const SpacePoint& p, const SpacePoint& q) {
+double space_distance(const SpacePoint& p, const SpacePoint& q) {
   return std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
 }
 
 double greatest_distance(const std::vector<SpacePoint>& a, const std::vector<SpacePoint>& b) {
   REQUIRE(a.size() == b.size());
   double result = 0;
-  for (std::size_t v = 0; v < a.size(); ++v) result = std::max(result, distance(a[v], b[v]));
+  for (std::size_t v = 0; v < a.size(); ++v) result = std::max(result, space_distance(a[v], b[v]));
   return result;
 }
 
 double mean_distance(const std::vector<SpacePoint>& a, const std::vector<SpacePoint>& b) {
   REQUIRE(a.size() == b.size());
   double result = 0;
-  for (std::size_t v = 0; v < a.size(); ++v) result += distance(a[v], b[v]) / static_cast<double>(a.size());
+  for (std::size_t v = 0; v < a.size(); ++v)
+    result += space_distance(a[v], b[v]) / static_cast<double>(a.size());
   return result;
 }
 
@@ -151,7 +148,7 @@ double moved_error(const CylinderGrid& grid, int levels) {
   CHECK(found.outside == 0);
   // The motion takes everything back.
   const SpacePoint some{0.3, 0.2, 0.9};
-  CHECK(distance(carried(found.motion, moved(some)), some) < 0.01);
+  CHECK(space_distance(carried(found.motion, moved(some)), some) < 0.01);
   CHECK(greatest_distance(found.average, own.points) == Approx(found.max_distance / 2));
   return mean_distance(found.resampled, moved(own.points));
 }

@@ -19,7 +19,7 @@ using namespace tetrarch::support;
 
 constexpr double half_turn = full_turn / 2;
 
-Complex moebius(Complex z) {
+Complex ricci_moebius(Complex z) {
   return (z + 0.4) / (1.0 + 0.4 * z);
 }
 
@@ -102,7 +102,7 @@ TEST_CASE("A flat rectangle moved by a Moebius map, onto a sphere too, gets its 
   // On the sphere |f'| is 2 / (1 + |z|^2), in the plane that of the map; vertex scaling has both exactly.
   for (const bool sphere : {false, true}) {
     const Grid bent =
-        grid(12, 9, {}, [&](Complex z) { return sphere ? on_sphere(z) : in_plane(moebius(z)); });
+        grid(12, 9, {}, [&](Complex z) { return sphere ? on_sphere(z) : in_plane(ricci_moebius(z)); });
     Curvatures right_angles;
     right_angles.at.assign(bent.at.size(), 0.0);
     for (const int v : bent.corners[0]) right_angles.at[v] = half_turn / 2;
@@ -139,7 +139,7 @@ TEST_CASE(
   CHECK_THROWS_AS(holonomy(unrolled, static_cast<int>(prism.at.size())), InputError);
 
   CylinderGrid ring;
-  const CrackedCylinder planar = slit_ring(ring, moebius);
+  const CrackedCylinder planar = slit_ring(ring, ricci_moebius);
   const Holonomy none = holonomy(mesh::intrinsic_delaunay(planar.mesh), planar.inner_vertex);
   CHECK(std::abs(none.translation) < 1e-12);
   CHECK(std::abs(none.rotation) < 1e-12);
@@ -224,8 +224,8 @@ TEST_CASE("An annulus up to a Moebius map is found exactly, another one as its m
       greatest = std::max(greatest, std::abs(found.map.position[v] - turn * known(v)));
     return greatest;
   };
-  CHECK(error(1, moebius) < 1e-9);
-  CHECK(error(4, moebius) < 1e-9);
+  CHECK(error(1, ricci_moebius) < 1e-9);
+  CHECK(error(4, ricci_moebius) < 1e-9);
   const auto bend = [](Complex z) { return z + z * z / 5.0; };
   const double coarse = error(2, bend);
   const double fine = error(8, bend);
@@ -235,7 +235,7 @@ TEST_CASE("An annulus up to a Moebius map is found exactly, another one as its m
 
 TEST_CASE("Both routes to the circular domain approach each other") {
   const auto difference = [](int times) {
-    const OneForms forms(slit_ring(refined(two_slits(), times), moebius).mesh);
+    const OneForms forms(slit_ring(refined(two_slits(), times), ricci_moebius).mesh);
     const CircularMap one = circular_map(forms, slit_map(forms, 0, 1));
     const RicciCircles two = ricci_circles(forms.mesh(), 0, 1);
     REQUIRE(one.domain.found);
@@ -257,7 +257,7 @@ TEST_CASE("Both routes to the circular domain approach each other") {
 TEST_CASE("Which vertex was sent to infinity is not seen") {
   // A ring with two slits, sheared and bent out of the plane, so that edges are flipped near the boundary
   // too.
-  mesh::TriangleMesh mesh = slit_ring(refined(two_slits(), 2), moebius).mesh;
+  mesh::TriangleMesh mesh = slit_ring(refined(two_slits(), 2), ricci_moebius).mesh;
   for (auto& [x, y, z] : mesh.points) std::tie(x, z) = std::pair(x + y, x * x);
   REQUIRE(mesh::intrinsic_delaunay(mesh).flips > 100);
   const TriangleList plain{mesh.surface.triangles(), mesh.points, mesh.surface.vertex_count()};
@@ -280,7 +280,7 @@ TEST_CASE("Which vertex was sent to infinity is not seen") {
 TEST_CASE("A disk is the same up to Moebius maps, and approaches Riemann's map") {
   const auto difference = [](int n) {
     const Grid plain = grid(n, n, {}, in_plane);
-    const Grid bent = grid(n, n, {}, [](Complex z) { return on_sphere(moebius(z)); });
+    const Grid bent = grid(n, n, {}, [](Complex z) { return on_sphere(ricci_moebius(z)); });
     const RicciCircles one = ricci_circles(plain.mesh, 0, -1);
     const RicciCircles two = ricci_circles(bent.mesh, 0, -1);
     const CircularMap riemann = disk_map(plain.mesh, innermost_vertex(plain.mesh));
@@ -349,7 +349,7 @@ TEST_CASE("A rectangle with rectangular holes, moved by a Moebius map, is found 
 
 TEST_CASE("The corners of holes are moved until the holes close and are parallel to the rectangle") {
   const std::vector<Block> holes{{4, 9, 5, 10}, {13, 18, 8, 15}};
-  const Grid bent = grid(24, 20, holes, [](Complex z) { return in_plane(moebius(z)); });
+  const Grid bent = grid(24, 20, holes, [](Complex z) { return in_plane(ricci_moebius(z)); });
   for (const int shift : {1, 2}) {
     auto hints = bent.corners;
     for (int* const corner : {&hints[1][0], &hints[2][1], &hints[2][2]})

@@ -22,7 +22,7 @@ Complex identity(Complex z) {
   return z;
 }
 /// Maps the unit disk to itself.
-Complex moebius(Complex z) {
+Complex slit_moebius(Complex z) {
   return (z + 0.4) / (1.0 + 0.4 * z);
 }
 /// Conformal where |z|^2 > 0.08, so on the ring from exp(-1) = 0.37 to 1: its circles become ellipses.
@@ -89,7 +89,7 @@ TEST_CASE(
   CylinderGrid annulus;
   annulus.sectors = 16;
   for (const CylinderGrid& grid : {annulus, two_slits()})
-    for (Complex (*bend)(Complex) : {identity, moebius, joukowski}) {
+    for (Complex (*bend)(Complex) : {identity, slit_moebius, joukowski}) {
       INFO(grid.cracks.size() << " slits, image of 0.5 " << bend(0.5));
       const Refinement both{errors(slit_ring(refined(grid, 4), bend), 1),
                             errors(slit_ring(refined(grid, 16), bend), 1)};
@@ -171,7 +171,7 @@ TEST_CASE("A slit that was opened to a circle is found again, with its ends") {
 TEST_CASE(
     "The modulus of a surface with flat triangles lies between its bounds, which close in as it is split") {
   for (const auto& domain :
-       {slit_ring(two_slits(), moebius), OpenedSlit::domain(1), slit_prism(two_slits())}) {
+       {slit_ring(two_slits(), slit_moebius), OpenedSlit::domain(1), slit_prism(two_slits())}) {
     mesh::TriangleMesh surface = domain.mesh;
     double below = 0;
     double above = 1e9;
@@ -191,7 +191,7 @@ TEST_CASE(
 }
 
 TEST_CASE("The squared distance from holomorphic is 2 pi times what is between the bounds") {
-  const OneForms forms(slit_ring(two_slits(), moebius).mesh);
+  const OneForms forms(slit_ring(two_slits(), slit_moebius).mesh);
   for (int outer = 0; outer < 4; ++outer)
     for (int inner = 0; inner < 4; ++inner) {
       if (outer == inner) continue;
@@ -226,7 +226,7 @@ TEST_CASE("For every choice of loops periods, fluxes and radii are exact, and ev
 }
 
 TEST_CASE("With outer and inner loop exchanged, the map is turned inside out") {
-  const OneForms forms(slit_ring(two_slits(), moebius).mesh);
+  const OneForms forms(slit_ring(two_slits(), slit_moebius).mesh);
   for (int outer = 0; outer < 4; ++outer)
     for (int inner = 0; inner < outer; ++inner) {
       const SlitMap map = slit_map(forms, outer, inner);
@@ -276,7 +276,7 @@ OneForms renamed(const mesh::TriangleMesh& mesh, Random& random) {
 }
 
 TEST_CASE("Names of vertices and triangles change nothing") {
-  const CrackedCylinder domain = slit_ring(refined(two_slits(), 2), moebius);
+  const CrackedCylinder domain = slit_ring(refined(two_slits(), 2), slit_moebius);
   const OneForms forms(domain.mesh);
   const SlitMap map = slit_map(forms, 0, 1);
   Random random(6);
@@ -309,7 +309,7 @@ TEST_CASE("A slit turns back twice wherever its loop begins, and angles stay in 
 
 TEST_CASE("The unrolled cylinder is torn along the seam only, by whole turns, and has area 2 pi times the "
           "modulus") {
-  const CrackedCylinder domain = slit_ring(refined(two_slits(), 2), moebius);
+  const CrackedCylinder domain = slit_ring(refined(two_slits(), 2), slit_moebius);
   const OneForms forms(domain.mesh);
   const auto& surface = forms.mesh().surface;
   const SlitMap map = map_of(forms, domain);

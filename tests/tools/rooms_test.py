@@ -30,10 +30,9 @@ def rooms():
 
 
 def command(room):
-    """How the build compiles the first file of a room, without that file and without its object."""
-    first = os.path.realpath(os.path.join(SOURCE, "src", room, files("src/" + room, ".cpp")[0]))
+    """How the build compiles the files of a room, without a file and without its object."""
     with open(os.path.join(BUILD, "compile_commands.json"), encoding="utf-8") as file:
-        words = next(shlex.split(entry["command"]) for entry in json.load(file) if os.path.realpath(entry["file"]) == first)
+        words = next(shlex.split(entry["command"]) for entry in json.load(file) if "/tetrarch_%s.dir/" % room in entry["command"])
     words = words[:words.index("-o")]
     while any(word.endswith(("ccache", "cmake")) for word in words[:5]):  # cmake -E env A=B ccache c++ ...
         words = words[1:]
@@ -81,6 +80,26 @@ class Compiler(unittest.TestCase):
         self.assertTrue(compiles("enumeration", "gluings_partial.hpp"))
         self.assertFalse(compiles("scene", "gluings_partial.hpp"))
         self.assertFalse(compiles("enumeration", "full_turn.hpp"))
+
+
+class Names(unittest.TestCase):
+    """tools/check_names on a copy of the house."""
+
+    def test_a_name_that_stands_twice(self):
+        with tempfile.TemporaryDirectory() as root:
+            for name in ("src", "tests/CMakeLists.txt", "tools/tetrarch", "tools/python"):
+                copy = shutil.copytree if os.path.isdir(os.path.join(SOURCE, name)) else shutil.copy
+                os.makedirs(os.path.dirname(os.path.join(root, name)), exist_ok=True)
+                copy(os.path.join(SOURCE, name), os.path.join(root, name))
+            check = [os.path.join(SOURCE, "tools/check_names"), root]
+            self.assertEqual(subprocess.run(check, capture_output=True, text=True, check=False).stdout, "")
+            for name in ("newton", "flow"):  # the second is chosen for double, be it meant or not
+                with open(os.path.join(root, "src/hyperbolic", name + ".cpp"), "a", encoding="utf-8") as file:
+                    file.write("namespace {\n\n%sbool met(%s x) {\n  return x > 0;\n}\n\n} // namespace\n" % (
+                        ("template <class Scalar>\n", "Scalar") if name == "newton" else ("", "double")))
+            done = subprocess.run(check, capture_output=True, text=True, check=False)
+            self.assertEqual((done.returncode, done.stdout), (1, "met: the same name in unnamed namespaces of "
+                                                              "src/hyperbolic/flow.cpp and src/hyperbolic/newton.cpp\n"))
 
 
 class Layers(unittest.TestCase):

@@ -98,7 +98,7 @@ private:
   std::vector<Point> points_;
 };
 
-int folded(const Problem& problem, const std::vector<Point>& points) {
+int folded_ball(const Problem& problem, const std::vector<Point>& points) {
   const std::vector<double> d = determinants(problem.bricks, points);
   return static_cast<int>(std::count_if(d.begin(), d.end(), [](double x) { return !(x > 0); }));
 }
@@ -109,15 +109,15 @@ TEST_CASE("Random foldings of a ball of hexahedra with fixed boundary are all un
   int most = 0;
   for (int seed = 0; seed < 100; ++seed) {
     const Ball ball(2 + seed % 2, 2 + seed % 3);
-    REQUIRE(folded(ball.problem(), ball.points()) == 0);
+    REQUIRE(folded_ball(ball.problem(), ball.points()) == 0);
     const std::vector<Point> start = ball.shaken(0.2 + 0.01 * seed, seed); // up to 1.2 times the radius
-    const int before = folded(ball.problem(), start);
+    const int before = folded_ball(ball.problem(), start);
     most = std::max(most, before);
     const Unfolded done = unfold(ball.problem(), start);
     CAPTURE(seed, done.rounds, done.iterations);
     CHECK(done.folded_before == before);
     CHECK(done.folded_after == 0);
-    CHECK(folded(ball.problem(), done.points) == 0);
+    CHECK(folded_ball(ball.problem(), done.points) == 0);
     for (std::size_t v = 0; v < start.size(); ++v)
       if (ball.problem().freedom[v].kind == Freedom::Kind::fixed) REQUIRE(done.points[v] == ball.points()[v]);
   }
@@ -128,7 +128,7 @@ TEST_CASE("The gradient of bricks is that of their energy, by differences", "[un
   const Ball ball(2, 2);
   for (const double epsilon : {1.0, 0.1}) {
     std::vector<Point> points = ball.shaken(0.3, 5);
-    REQUIRE(folded(ball.problem(), points) > 0);
+    REQUIRE(folded_ball(ball.problem(), points) > 0);
     const auto value = [&] {
       std::vector<Vector> unused(points.size(), Vector{});
       return add_energy(ball.problem().bricks, points, 0.5, epsilon, unused);

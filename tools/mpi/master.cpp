@@ -128,6 +128,17 @@ private:
 
 } // namespace
 
+std::optional<std::pair<int, Report>> Master::next_report() {
+  const auto message = world_.iprobe(boost::mpi::any_source, asking);
+  if (!message) {
+    doze();
+    return std::nullopt;
+  }
+  std::pair<int, Report> came{message->source(), {}};
+  world_.recv(came.first, asking, came.second);
+  return came;
+}
+
 void Master::share_out(int tetrahedra, bool angles, const UnitRecords& records, const Progress& progress) {
   const ClassificationUnits units(tetrahedra, angles, progress);
   Queue queue(units, records);
@@ -136,17 +147,12 @@ void Master::share_out(int tetrahedra, bool angles, const UnitRecords& records, 
   while (queue.left() > 0) {
     progress.step("solving and canonizing", queue.done());
     own.check();
-    const auto message = world_.iprobe(boost::mpi::any_source, asking);
-    if (!message) {
-      doze();
-      continue;
-    }
-    Report report;
-    world_.recv(message->source(), asking, report);
+    const auto came = next_report();
+    if (!came) continue;
+    const auto& [rank, report] = *came;
     if (report.unit >= 0 && report.job == job_) queue.keep(report.unit, report.records);
     const int unit = queue.next();
-    world_.send(message->source(), ordering,
-                Order{unit >= 0 ? Order::make : Order::wait, job_, tetrahedra, angles, unit});
+    world_.send(rank, ordering, Order{unit >= 0 ? Order::make : Order::wait, job_, tetrahedra, angles, unit});
   }
 }
 
@@ -154,14 +160,7 @@ int Master::dismiss(double grace) {
   std::set<int> here;
   const auto start = Clock::now();
   while (static_cast<int>(here.size()) < world_.size() - 1 && seconds_since(start) < grace) {
-    const auto message = world_.iprobe(boost::mpi::any_source, asking);
-    if (!message) {
-      doze();
-      continue;
-    }
-    Report report;
-    world_.recv(message->source(), asking, report);
-    here.insert(message->source());
+    if (const auto came = next_report()) here.insert(came->first);
   }
   const int lost = world_.size() - 1 - static_cast<int>(here.size());
   for (const int rank : here)

@@ -6,10 +6,14 @@
 /// A unit whose worker is not heard of for long is given out again, and the first answer counts; so a worker
 /// that dies costs its unit, provided that MPI lets the others live (mpirun --enable-recovery).
 
+#include "messages.hpp"
+
 #include "tetrarch/catalogue/validate.hpp"
 #include "tetrarch/core/progress.hpp"
 
 #include <boost/mpi/communicator.hpp>
+#include <optional>
+#include <utility>
 
 namespace tetrarch::mpi {
 
@@ -25,6 +29,9 @@ public:
   int dismiss(double grace);
 
 private:
+  /// What some rank has to report, with its number. If there is nothing, dozes and gives nothing.
+  std::optional<std::pair<int, Report>> next_report();
+
   boost::mpi::communicator world_;
   int job_ = 0;
 };

@@ -32,7 +32,7 @@ namespace {
 using bundle::Plan;
 using bundle::PlanOptions;
 
-struct Options {
+struct BundleArguments {
   std::string input;
   std::vector<std::string> outputs;
   std::string boundary = "free";
@@ -45,14 +45,11 @@ struct Options {
   Doctor doctor;
 };
 
-bool is_svg(const std::string& path) {
-  return format::has_extension(path, ".svg");
-}
-
-void require_outputs(const Options& options) {
+void require_outputs(const BundleArguments& options) {
   for (const std::string& path : options.outputs) {
     require_folder(path);
-    if (!is_svg(path) && !scene::scene_format_for_extension(path) && !format::format_for_extension(path))
+    if (!format::has_extension(path, ".svg") && !scene::scene_format_for_extension(path) &&
+        !format::format_for_extension(path))
       throw InputError({path, 0}, "this command writes no file with this extension (expected .json, .tri, "
                                   ".sig, .txt or .fmp; .vtu, .glb, .ply, .obj or .svg)");
   }
@@ -63,7 +60,7 @@ void require_outputs(const Options& options) {
 }
 
 /// Options that this surface gives nothing to do.
-void require_used(const Options& options, const SurfaceType& type, std::optional<int> euler) {
+void require_used(const BundleArguments& options, const SurfaceType& type, std::optional<int> euler) {
   if (!options.field.empty()) {
     for (const double x : options.field)
       if (!std::isfinite(x)) throw InputError("--field: expected three finite numbers");
@@ -82,7 +79,7 @@ void require_used(const Options& options, const SurfaceType& type, std::optional
     throw InputError({options.input, 0},
                      "--obstruction: only a surface with boundary can have one, but this is " + type.str());
   for (const std::string& path : options.outputs) {
-    if (!is_svg(path)) continue;
+    if (!format::has_extension(path, ".svg")) continue;
     if (options.show == "surface")
       throw InputError({path, 0}, "--show surface has no flat picture (expected .glb, .ply, .obj or .vtu)");
     if (type.is_disk())
@@ -93,7 +90,7 @@ void require_used(const Options& options, const SurfaceType& type, std::optional
 }
 
 /// Says what a caller asked for that cannot be had.
-PlanOptions plan_options(const Options& options, const SurfaceInput& surface) {
+PlanOptions plan_options(const BundleArguments& options, const SurfaceInput& surface) {
   PlanOptions plan = options.plan;
   plan.cut = options.cut == "any" ? PlanOptions::Cut::any : PlanOptions::Cut::dissertation;
   const SurfaceType type = mesh::type_of(surface.mesh.surface);
@@ -136,7 +133,8 @@ const char* name_of(Plan::Method method) {
 }
 
 /// The sub-mesh on which no pattern exists.
-Result obstructed(const bundle::Obstruction& found, const SurfaceInput& surface, const Options& options) {
+Result obstructed(const bundle::Obstruction& found, const SurfaceInput& surface,
+                  const BundleArguments& options) {
   Result result;
   result.status = Status::proved_no;
   result.warnings = surface.warnings;
@@ -231,14 +229,15 @@ format::Document document_of(const Plan& plan, const bundle::CircleBundle& bundl
 }
 
 void add_outputs(Result& result, const Plan& plan, const bundle::CircleBundle& bundle,
-                 const format::Document& document, const std::vector<int>& index, const Options& options) {
+                 const format::Document& document, const std::vector<int>& index,
+                 const BundleArguments& options) {
   const auto scene_of = [&](const std::string& path) {
     const bool cells = format::has_extension(path, ".vtu") || plan.method == Plan::Method::disk;
     if (options.show == "surface") return show::cut_surface(plan, index);
     return cells ? show::solid_tori(plan, bundle) : show::gluable_tori(plan);
   };
   for (const std::string& path : options.outputs) {
-    if (is_svg(path))
+    if (format::has_extension(path, ".svg"))
       result.files.push_back({path, write_svg(show::gluable_bands(plan))});
     else if (const auto format = scene::scene_format_for_extension(path))
       result.files.push_back({path, write_scene(scene_of(path), *format)});
@@ -266,7 +265,7 @@ struct ProvedBundle {
   bundle::Proof proof;
 };
 
-ProvedBundle make(const Plan& plan, const Context& context) {
+ProvedBundle make_bundle(const Plan& plan, const Context& context) {
   audit(plan);
   bundle::CircleBundle bundle = bundle::assemble(plan.recipe, context.progress);
   bundle::Proof proof = bundle::prove(bundle, Skeleton(bundle.total), context.progress);
@@ -293,7 +292,8 @@ Json details_json(const Plan& plan, const ProvedBundle& made, const Singularitie
 
 using Rows = std::vector<std::pair<std::string, std::string>>;
 
-Rows details_rows(const Plan& plan, const Json& details, const ProvedBundle& made, const Options& options) {
+Rows details_rows(const Plan& plan, const Json& details, const ProvedBundle& made,
+                  const BundleArguments& options) {
   Rows rows{{"cut along", name_of(plan.method)},
             {"refined by", counted(plan.splits(), "split")},
             {"fibres", counted(made.bundle.base.vertex_count(), "circle") + " of " +
@@ -307,7 +307,7 @@ Rows details_rows(const Plan& plan, const Json& details, const ProvedBundle& mad
   return rows;
 }
 
-Result run_bundle(const Options& options, const Context& context) {
+Result run_bundle(const BundleArguments& options, const Context& context) {
   require_outputs(options);
   const SurfaceInput surface = read_surface(options.input, context, options.doctor);
   const PlanOptions wanted = plan_options(options, surface);
@@ -319,7 +319,7 @@ Result run_bundle(const Options& options, const Context& context) {
     return obstructed(*found, surface, options);
   const Plan& plan = std::get<Plan>(planned);
   require_room(wanted, plan.cut.surface.triangle_count(), context);
-  const ProvedBundle made = make(plan, context);
+  const ProvedBundle made = make_bundle(plan, context);
 
   constexpr int small = 2'000; // tetrahedra; beyond, nobody reads a signature or a group
   Info info = info_of(made.bundle.total, "", context, made.bundle.total.size() > small);
@@ -350,7 +350,7 @@ Result run_bundle(const Options& options, const Context& context) {
 } // namespace
 
 Run declare_bundle(OptionTable& table) {
-  const auto o = std::make_shared<Options>();
+  const auto o = std::make_shared<BundleArguments>();
   table.add("SURFACE", o->input, "a surface: OBJ, OFF, PLY or STL").required();
   table
       .add("-o,--output", o->outputs,

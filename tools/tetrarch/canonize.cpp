@@ -15,13 +15,13 @@
 namespace tetrarch::program {
 namespace {
 
-struct Options {
+struct CanonizeArguments {
   std::string input;
   std::string output;
   workshop::CanonicalOptions how;
 };
 
-Result canonize(const Options& options, const Context& context) {
+Result canonize(const CanonizeArguments& options, const Context& context) {
   const std::string& input = options.input;
   const std::string& output = options.output;
   workshop::CanonicalOptions how = options.how;
@@ -94,7 +94,7 @@ Result isometric(const IsometricOptions& options, const Context& context) {
 } // namespace
 
 Run declare_canonize(OptionTable& table) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<CanonizeArguments>();
   table.add("X", options->input, "a triangulation that carries a hyperbolic structure").required();
   table.add("-o,--output", options->output, "write the canonical triangulation with its cells as JSON")
       .value_name("FILE");

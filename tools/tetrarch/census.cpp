@@ -18,9 +18,7 @@
 #include <filesystem>
 #include <functional>
 #include <limits>
-#include <map>
 #include <memory>
-#include <mutex>
 #include <optional>
 #include <system_error>
 
@@ -119,24 +117,6 @@ std::unique_ptr<format::Records> open_work(const std::string& folder, int tetrah
                                            how);
 }
 
-/// Records that nobody needs later.
-struct RecordsInMemory {
-  std::mutex mutex;
-  std::map<std::string, std::string> texts;
-
-  catalogue::UnitRecords both() {
-    return {[this](const std::string& key) -> const std::string* {
-              const std::lock_guard lock(mutex);
-              const auto found = texts.find(key);
-              return found == texts.end() ? nullptr : &found->second;
-            },
-            [this](const std::string& key, const std::string& text) {
-              const std::lock_guard lock(mutex);
-              texts.emplace(key, text);
-            }};
-  }
-};
-
 /// A few of the signatures; all are in the JSON.
 std::string some_of(const std::vector<catalogue::Unsettled>& list) {
   constexpr std::size_t most = 10;
@@ -186,7 +166,7 @@ Json summary_json(const catalogue::Classification& found) {
 }
 
 /// What became of the gluings.
-std::string summary_of(const catalogue::Classification& found) {
+std::string classification_summary(const catalogue::Classification& found) {
   const catalogue::Tally& t = found.tally;
   std::vector<std::pair<std::string, std::string>> rows{
       {"gluings", std::to_string(t.gluings)},
@@ -224,8 +204,9 @@ Result classification_result(const catalogue::Classification& found, int tetrahe
     result.files.push_back({output, lines ? write_table_lines(tetrahedra, found.manifolds)
                                           : write_table(tetrahedra, found.manifolds)});
     result.json = summary_json(found);
-    result.text = summary_of(found) + counted(static_cast<long long>(found.manifolds.size()), "manifold") +
-                  " written to " + output + "\n";
+    result.text = classification_summary(found) +
+                  counted(static_cast<long long>(found.manifolds.size()), "manifold") + " written to " +
+                  output + "\n";
   }
   tell_unsettled(found, result);
   return result;
@@ -270,7 +251,7 @@ Run declare_census_enumerate(OptionTable& table) {
     if (crew() && !options->share.empty())
       throw InputError("--shard is for machines that do not know of each other, and mpirun's do");
     std::unique_ptr<format::Records> records;
-    RecordsInMemory in_memory;
+    catalogue::RecordsInMemory in_memory; // nobody needs them later
     if (crew()) how.records = in_memory.both();
     if (!options->work.empty()) {
       records = open_work(options->work, options->tetrahedra, options->brief,

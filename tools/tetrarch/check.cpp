@@ -19,7 +19,7 @@
 namespace tetrarch::program {
 namespace {
 
-struct Options {
+struct CheckArguments {
   std::string input;
   std::string output;
   int listed = 10;
@@ -29,7 +29,7 @@ struct Options {
 /// How many of the worst elements are told by their numbers.
 constexpr int most_worst = 10;
 
-const char* word(mesh::Severity severity) {
+const char* severity_word(mesh::Severity severity) {
   switch (severity) {
   case mesh::Severity::fatal:
     return "fatal";
@@ -45,7 +45,7 @@ Json findings_json(const mesh::Report& report) {
   Json list = Json::array();
   for (const mesh::Finding& f : report.findings)
     list.push_back({{"kind", mesh::name_of(f.kind)},
-                    {"severity", word(mesh::severity_of(f.kind))},
+                    {"severity", severity_word(mesh::severity_of(f.kind))},
                     {"number", f.number},
                     {"line", f.line},
                     {"text", f.text}});
@@ -59,7 +59,7 @@ std::string findings_text(const mesh::Report& report, const format::Soup& soup) 
   for (const mesh::Finding& f : report.findings) {
     const Place place = mesh::place_of(f, soup);
     text += place.source + (place.line > 0 ? ":" + std::to_string(place.line) : "") + ": " +
-            word(mesh::severity_of(f.kind)) + ": " + f.text + "\n";
+            severity_word(mesh::severity_of(f.kind)) + ": " + f.text + "\n";
     ++listed[static_cast<std::size_t>(f.kind)];
   }
   for (int k = 0; k < mesh::kind_count; ++k) {
@@ -198,7 +198,7 @@ void describe_boundary(Result& result, const format::Soup& solid) {
   result.text += "boundary: " + (names.empty() ? "none" : joined(names, ", ")) + "\n";
 }
 
-Result check(const Options& options, const Context& context) {
+Result check(const CheckArguments& options, const Context& context) {
   format::Soup soup = read_soup(options.input, context);
   const bool is_surface = soup.tetrahedra.empty() && !soup.triangles.empty();
   Result result;
@@ -238,7 +238,7 @@ Result check(const Options& options, const Context& context) {
 } // namespace
 
 Run declare_check(OptionTable& table) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<CheckArguments>();
   table.add("MESH", options->input, "a mesh of tetrahedra or a surface").required();
   table.add("--listed", options->listed, "number of findings of each kind to print in full")
       .in_range(0, 1'000'000)

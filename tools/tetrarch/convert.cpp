@@ -18,14 +18,14 @@
 namespace tetrarch::program {
 namespace {
 
-struct Options {
+struct ConvertArguments {
   std::string input;
   std::string output;
   std::string to; ///< the name of a format; empty: as the extension says
   Doctor doctor;
 };
 
-format::FileFormat target(const Options& options) {
+format::FileFormat target(const ConvertArguments& options) {
   if (options.to == "json") return format::FileFormat::json;
   if (options.to == "tri") return format::FileFormat::snappea;
   if (options.to == "sig") return format::FileFormat::signature;
@@ -40,7 +40,7 @@ bool holds_surfaces_only(format::MeshFormat format) {
 }
 
 /// From mesh to mesh, without asking whether it is good for anything: `check` does.
-Result convert_mesh(const Options& options, format::MeshFormat to, const Context& context) {
+Result convert_mesh(const ConvertArguments& options, format::MeshFormat to, const Context& context) {
   require_folder(options.output);
   format::Soup soup = read_soup(options.input, context);
   Result result;
@@ -73,7 +73,7 @@ bool stays_mesh(const format::MeshDocument& mesh) {
 }
 
 /// What is to be written as a JSON mesh; null if it is something else.
-const format::MeshDocument* json_mesh(const Options& options, const Value& value) {
+const format::MeshDocument* json_mesh(const ConvertArguments& options, const Value& value) {
   const auto* const mesh = std::get_if<format::MeshDocument>(&value);
   if (options.to == "mesh" && mesh == nullptr)
     throw InputError({options.input, 0},
@@ -83,7 +83,7 @@ const format::MeshDocument* json_mesh(const Options& options, const Value& value
   return wanted && mesh != nullptr && (options.to == "mesh" || stays_mesh(*mesh)) ? mesh : nullptr;
 }
 
-Result convert_json_mesh(const Options& options, const format::MeshDocument& mesh) {
+Result convert_json_mesh(const ConvertArguments& options, const format::MeshDocument& mesh) {
   require_folder(options.output);
   Result result;
   std::string text = write_mesh_json(mesh);
@@ -102,7 +102,7 @@ Result convert_json_mesh(const Options& options, const format::MeshDocument& mes
 }
 
 /// Asked of meshes, before one is turned into a triangulation for nothing.
-void require_extension(const Options& options) {
+void require_extension(const ConvertArguments& options) {
   if (options.output.empty() || !options.to.empty() || format::format_for_extension(options.output)) return;
   throw InputError({options.output, 0},
                    "no format has this extension (expected of a mesh: .json, .mesh, .meshb, .msh, "
@@ -111,7 +111,8 @@ void require_extension(const Options& options) {
 }
 
 /// The value; of a mesh that is to stay one, mended.
-ValuePointer mended_value(const Options& options, const Context& context, std::vector<std::string>& done) {
+ValuePointer mended_value(const ConvertArguments& options, const Context& context,
+                          std::vector<std::string>& done) {
   ValuePointer value = read_value(options.input, context);
   const auto* const mesh = std::get_if<format::MeshDocument>(value.get());
   const bool asked = options.doctor.weld || options.doctor.component || options.doctor.repair;
@@ -124,7 +125,7 @@ ValuePointer mended_value(const Options& options, const Context& context, std::v
   return std::make_shared<Value>(format::mesh_document_of(std::move(soup)));
 }
 
-Result convert(const Options& options, const Context& context) {
+Result convert(const ConvertArguments& options, const Context& context) {
   std::vector<std::string> mended;
   if (const auto to = format::mesh_format_for_extension(options.output); to && options.to.empty())
     return convert_mesh(options, *to, context);
@@ -160,7 +161,7 @@ Result convert(const Options& options, const Context& context) {
 } // namespace
 
 Run declare_convert(OptionTable& table) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<ConvertArguments>();
   table.add("X", options->input, "a triangulation or a mesh; a mesh can become a mesh of another format")
       .required();
   table.add("-o,--output", options->output, "the file to write (its extension names the format)")

@@ -19,7 +19,7 @@ constexpr const char* summary = "Tetrarch: a combinatorial topology engine for t
 constexpr const char* common_group = "Common options";
 
 /// The words that may follow `before` ("" or "census "), each once.
-std::vector<std::string> next_words(const std::vector<Command>& table, const std::string& before) {
+std::vector<std::string> words_after(const std::vector<Command>& table, const std::string& before) {
   std::vector<std::string> words;
   for (const Command& command : table) {
     const std::string name = command.name;
@@ -119,7 +119,7 @@ Named named_command(const std::vector<Command>& table, const std::vector<std::st
     const std::string& word = words[at.words];
     if (word.starts_with("-")) break;
     std::string name = at.name.empty() ? "" : at.name + " ";
-    const std::vector<std::string> expected = next_words(table, name);
+    const std::vector<std::string> expected = words_after(table, name);
     name += word;
     if (std::find(expected.begin(), expected.end(), word) == expected.end())
       throw InputError("unknown command '" + name + "'" + workshop::did_you_mean(word, expected),
@@ -199,7 +199,7 @@ Json describe(const std::vector<Command>& table, const std::string& program) {
 }
 
 std::vector<std::string> first_words(const std::vector<Command>& table) {
-  return next_words(table, "");
+  return words_after(table, "");
 }
 
 Run declare_help(OptionTable& table) {

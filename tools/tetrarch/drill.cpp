@@ -16,7 +16,7 @@
 namespace tetrarch::program {
 namespace {
 
-struct Options {
+struct DrillArguments {
   std::string input;
   std::vector<std::string> edges;
   std::string output;
@@ -33,7 +33,7 @@ Json meridians_json(const moves::CutOut& made) {
   return list;
 }
 
-Result drill(const Options& options, const Context& context) {
+Result drill(const DrillArguments& options, const Context& context) {
   if (!options.output.empty()) output_format(options.output);
   const format::Document document = read_triangulation(options.input, context);
   require_manifolds(document.triangulation, options.input);
@@ -78,7 +78,7 @@ Result drill(const Options& options, const Context& context) {
 } // namespace
 
 Run declare_drill(OptionTable& table) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<DrillArguments>();
   table.add("X", options->input, "a triangulation or a mesh").required();
   table
       .add("EDGES", options->edges,

@@ -23,7 +23,7 @@ using embed::Piece;
 using show::Body;
 using show::ModelOptions;
 
-struct Options {
+struct EmbedArguments {
   std::string input;
   std::vector<std::string> outputs;
   std::string model = "half-space";
@@ -38,7 +38,7 @@ struct Options {
   std::string colors = "tetrahedron";
 };
 
-embed::PieceBounds wanted_bounds(const Options& options) {
+embed::PieceBounds wanted_bounds(const EmbedArguments& options) {
   if (options.copies && *options.copies < 1)
     throw InputError("--copies " + std::to_string(*options.copies) + ": expected at least 1");
   if (options.word_length && *options.word_length < 1)
@@ -52,13 +52,9 @@ embed::PieceBounds wanted_bounds(const Options& options) {
   return bounds;
 }
 
-bool is_svg(const std::string& path) {
-  return format::has_extension(path, ".svg");
-}
-
 void require_output(const std::string& path) {
   require_folder(path);
-  if (!is_svg(path) && !scene::scene_format_for_extension(path))
+  if (!format::has_extension(path, ".svg") && !scene::scene_format_for_extension(path))
     throw InputError({path, 0}, "no picture has this extension (expected .glb, .ply, .obj, .vtu or .svg)");
 }
 
@@ -155,7 +151,7 @@ struct Drawn {
   Piece piece;
 };
 
-Drawn draw(const Embedding& e, const embed::PieceBounds& wanted, const Options& options,
+Drawn draw(const Embedding& e, const embed::PieceBounds& wanted, const EmbedArguments& options,
            const Context& context) {
   const embed::PieceBounds bounds = allowed_bounds(wanted, allowed_gigabytes(context));
   Drawn drawn;
@@ -181,7 +177,7 @@ ModelOptions::Colors colors_named(const std::string& name) {
   return name == "word-length" ? ModelOptions::Colors::word_length : ModelOptions::Colors::tetrahedron;
 }
 
-ModelOptions model_options(const Body& body, const Options& options) {
+ModelOptions model_options(const Body& body, const EmbedArguments& options) {
   ModelOptions how;
   how.model = *embed::model_named(options.model);
   how.chord_error = options.chord_error > 0 ? options.chord_error : extent(body, how.model) / 400;
@@ -191,17 +187,17 @@ ModelOptions model_options(const Body& body, const Options& options) {
   return how;
 }
 
-std::string picture(const std::string& path, const Body& body, const Options& options,
+std::string picture(const std::string& path, const Body& body, const EmbedArguments& options,
                     const Context& context) {
   const ModelOptions how = model_options(body, options);
-  if (is_svg(path))
+  if (format::has_extension(path, ".svg"))
     return write_svg(body.view == show::View::space ? circles_at_infinity(body) : drawing_of(body, how));
   require_memory(std::to_string(body.copies.size()) + " copies in " + path, scene_bytes(body, how),
                  allowed_gigabytes(context));
   return write_scene(in_model(body, how, context.progress), *scene::scene_format_for_extension(path));
 }
 
-Result run_embed(const Options& options, const Context& context) {
+Result run_embed(const EmbedArguments& options, const Context& context) {
   for (const std::string& path : options.outputs) require_output(path);
   const embed::PieceBounds wanted = wanted_bounds(options); // complains before anything is computed
   const Embedding e = embedded(options.input, options.cusp_area, context);
@@ -225,7 +221,7 @@ Result run_embed(const Options& options, const Context& context) {
 } // namespace
 
 Run declare_embed(OptionTable& table) {
-  const auto o = std::make_shared<Options>();
+  const auto o = std::make_shared<EmbedArguments>();
   table.add("X", o->input, "a hyperbolic manifold; the structure is found first, as by hyperbolize")
       .required();
   table

@@ -24,7 +24,7 @@
 namespace tetrarch::program {
 namespace {
 
-struct Options {
+struct HexArguments {
   std::string input;
   std::vector<std::string> outputs;
   std::optional<double> edge;
@@ -35,7 +35,7 @@ struct Options {
   Doctor doctor;
 };
 
-product::Solid read_solid(const Options& options, Result& result, const Context& context) {
+product::Solid read_filled(const HexArguments& options, Result& result, const Context& context) {
   format::Soup soup = read_soup(options.input, context);
   for (std::string& done : mend(soup, options.doctor)) result.warnings.push_back(std::move(done));
   return in_file(options.input, [&] {
@@ -44,7 +44,7 @@ product::Solid read_solid(const Options& options, Result& result, const Context&
   });
 }
 
-hex::FillOptions wanted(const Options& options, const product::Solid& solid, const Context& context) {
+hex::FillOptions wanted(const HexArguments& options, const product::Solid& solid, const Context& context) {
   hex::FillOptions result;
   result.edge = options.edge;
   result.cells = options.cells;
@@ -82,7 +82,7 @@ std::string file_of(const std::string& path, const hex::Filling& filling, const 
   return scene::write_scene(scene, format);
 }
 
-void require_known(const std::string& path) {
+void require_known_extension(const std::string& path) {
   if (format::has_extension(path, ".mesh") || format::has_extension(path, ".json") ||
       scene::scene_format_for_extension(path))
     return;
@@ -90,11 +90,11 @@ void require_known(const std::string& path) {
                    "no known format of hexahedra (expected .mesh, .vtu, .json, .glb, .ply or .obj)");
 }
 
-Result run_hex(const Options& options, const Context& context) {
+Result run_hex(const HexArguments& options, const Context& context) {
   if (options.edge && options.cells) throw InputError("--edge and --cells exclude each other");
-  for (const std::string& path : options.outputs) require_known(path);
+  for (const std::string& path : options.outputs) require_known_extension(path);
   Result result;
-  const product::Solid solid = read_solid(options, result, context);
+  const product::Solid solid = read_filled(options, result, context);
   const workshop::FilledSolid found =
       workshop::filled_solid(solid, wanted(options, solid, context), context.progress);
   result.status = status_of(found.verdict());
@@ -111,7 +111,7 @@ Result run_hex(const Options& options, const Context& context) {
 } // namespace
 
 Run declare_hex(OptionTable& table) {
-  const auto o = std::make_shared<Options>();
+  const auto o = std::make_shared<HexArguments>();
   table.add("SOLID", o->input, "tetrahedra, or a closed surface, which TetGen fills; one boundary component")
       .required();
   table

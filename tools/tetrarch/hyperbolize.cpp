@@ -17,7 +17,7 @@
 namespace tetrarch::program {
 namespace {
 
-struct Options {
+struct HyperbolizeArguments {
   std::string input;
   std::string output;
   std::string history;
@@ -33,7 +33,7 @@ struct Options {
 };
 
 /// The marks of the file, and those that are asked for, which replace them.
-Marks marks_asked_for(const Options& options, const format::Document& document) {
+Marks marks_asked_for(const HyperbolizeArguments& options, const format::Document& document) {
   if (options.parabolic.empty() && options.cones.empty()) return document.marks;
   const Skeleton skeleton(document.triangulation);
   EdgeOrders orders = edge_orders(skeleton, document.marks);
@@ -70,7 +70,7 @@ format::Document with_structure(format::Document document, const workshop::Struc
   return document;
 }
 
-Result hyperbolize(const Options& options, const Context& context) {
+Result hyperbolize(const HyperbolizeArguments& options, const Context& context) {
   require_folder(options.history);
   if (!options.output.empty() && output_format(options.output) != format::FileFormat::json)
     throw InputError({options.output, 0}, "only JSON holds a metric (expected the extension .json)");
@@ -117,7 +117,7 @@ Result hyperbolize(const Options& options, const Context& context) {
 } // namespace
 
 Run declare_hyperbolize(OptionTable& table) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<HyperbolizeArguments>();
   table.add("X", options->input, "a triangulation or a mesh; its boundary becomes geodesic, or a cusp")
       .required();
   table.add("--method", options->method, "the method: newton, or flow for Luo's curvature flow from length 1")

@@ -62,7 +62,7 @@ struct SubdivideOptions {
 /// A file of this many is a gigabyte.
 constexpr long long most_tetrahedra = 10'000'000;
 
-void require_room(long long tetrahedra, const std::string& input) {
+void require_few(long long tetrahedra, const std::string& input) {
   if (tetrahedra > most_tetrahedra)
     throw InputError({input, 0}, "this would make " + std::to_string(tetrahedra) + " tetrahedra (at most " +
                                      std::to_string(most_tetrahedra) + ")");
@@ -70,14 +70,14 @@ void require_room(long long tetrahedra, const std::string& input) {
 
 Triangulation subdivided(Triangulation tri, const SubdivideOptions& options, const Context& context) {
   const long long most_pieces = options.finite ? 28 : 1;
-  require_room(most_pieces * tri.size(), options.input);
+  require_few(most_pieces * tri.size(), options.input);
   if (options.finite) tri = moves::finite_model(tri).tri;
   for (int k = 0; k < options.barycentric; ++k) {
     context.progress.step("subdividing", static_cast<double>(k) / options.barycentric);
-    require_room(static_cast<long long>(Perm4::count) * tri.size(), options.input);
+    require_few(static_cast<long long>(Perm4::count) * tri.size(), options.input);
     tri = moves::barycentric(tri).tri;
   }
-  require_room((options.one_four ? 4LL : 1LL) * tri.size(), options.input);
+  require_few((options.one_four ? 4LL : 1LL) * tri.size(), options.input);
   if (options.one_four) tri = moves::subdivided_1_4(tri).tri;
   return tri;
 }

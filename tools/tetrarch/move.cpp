@@ -26,7 +26,7 @@ namespace {
 using moves::Complex;
 using moves::Move;
 
-struct Options {
+struct MoveArguments {
   std::string input;
   std::vector<std::string> words;
   std::string log;
@@ -199,7 +199,7 @@ private:
   bool is_cut_ = false;
 };
 
-Result list_moves(const format::Document& document, const Options& options, const Context& context) {
+Result list_moves(const format::Document& document, const MoveArguments& options, const Context& context) {
   Lister lister(document.triangulation, options.words, context.progress);
   const moves::MoveLog legal = lister.legal();
   Result result;
@@ -220,7 +220,7 @@ Result list_moves(const format::Document& document, const Options& options, cons
 
 /// Makes the moves. Of those that were typed each numbers the tetrahedra anew, as `info` shows them; those of
 /// a log keep their slots.
-Result make_moves(const Options& options, const Context& context) {
+Result make_moves(const MoveArguments& options, const Context& context) {
   if (!options.output.empty()) output_format(options.output);
   require_known(options.words);
   format::Document document = read_triangulation(options.input, context);
@@ -256,7 +256,7 @@ Result make_moves(const Options& options, const Context& context) {
 } // namespace
 
 Run declare_move(OptionTable& table) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<MoveArguments>();
   table.add("X", options->input, "a triangulation or a mesh").required();
   table.add("MOVE", options->words,
             "a move and its place, as --list shows them: 2-3 0 1 is the move across face 1 of tetrahedron 0; "

@@ -34,7 +34,7 @@ void check_range(CLI::Option& made, const Option& option) {
 }
 
 /// Tries the file of the option -o, before the job rather than after it.
-void require_output(const OptionTable& options) {
+void require_output_folder(const OptionTable& options) {
   const Option* const output = options.find("--output");
   if (output == nullptr) return;
   if (const auto* const path = std::get_if<std::string*>(&output->target)) require_folder(**path);
@@ -186,7 +186,7 @@ Parsed parse(const std::vector<std::string>& words, const std::vector<Command>& 
   const auto run = [line, program, &table](Context context) {
     context.commands = &table;
     context.program = program;
-    require_output(line->options);
+    require_output_folder(line->options);
     return line->run(context);
   };
   return {Job{line->common, run}, {}};

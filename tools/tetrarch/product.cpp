@@ -28,7 +28,7 @@ namespace {
 
 using product::Point;
 
-struct Options {
+struct ProductArguments {
   std::string input;
   std::vector<std::string> outputs;
   PartitionOptions partition;
@@ -44,7 +44,7 @@ struct Options {
   Doctor doctor;
 };
 
-void check(const Options& options) {
+void check_outputs(const ProductArguments& options) {
   for (const std::string& path : options.outputs) {
     require_folder(path);
     if (!scene::scene_format_for_extension(path) && !format::has_extension(path, ".json") &&
@@ -62,7 +62,7 @@ void check(const Options& options) {
     throw InputError("--corners needs --floor-map rectangle");
 }
 
-format::Soup read(const Options& options, Report& report, const Context& context) {
+format::Soup read_solid(const ProductArguments& options, Report& report, const Context& context) {
   format::Soup soup = read_soup(options.input, context);
   for (std::string& done : mend(soup, options.doctor)) report.warnings.push_back(std::move(done));
   return soup;
@@ -92,7 +92,7 @@ mesh::TetMesh mesh_of(format::Soup soup, Report& report) {
   return mesh::build(std::move(soup), findings);
 }
 
-product::FloorOptions floor_options(const Options& options) {
+product::FloorOptions floor_options(const ProductArguments& options) {
   product::FloorOptions floor;
   if (options.floor_map == "rectangle" || options.hexahedra.across > 0)
     floor.domain = product::FloorDomain::rectangle;
@@ -132,7 +132,7 @@ constexpr const char* product_because =
 
 /// Fibres and what hangs on them, of a field without critical places.
 void add_coordinates(SolidProduct& made, const product::FloorMap& floor, const Field& field,
-                     const Options& options, const Context& context) {
+                     const ProductArguments& options, const Context& context) {
   const product::FiberField fibers(made.at.solid, made.at.partition, field.harmonic.w,
                                    options.follow == "gradient" ? product::Direction::gradient
                                                                 : product::Direction::smoothed);
@@ -153,7 +153,8 @@ void add_coordinates(SolidProduct& made, const product::FloorMap& floor, const F
 }
 
 /// With cotangent weights; where they leave critical places, and nobody asked for them, with clamped ones.
-Field solved(const product::SplitSolid& at, double height, const Options& options, const Context& context) {
+Field solved(const product::SplitSolid& at, double height, const ProductArguments& options,
+             const Context& context) {
   Field field;
   for (const bool clamped : {false, true}) {
     if (options.weights == (clamped ? "cotangent" : "clamped")) continue;
@@ -167,7 +168,7 @@ Field solved(const product::SplitSolid& at, double height, const Options& option
 }
 
 /// A page shows the solid beside its domain.
-bool wants_page(const Options& options) {
+bool wants_page(const ProductArguments& options) {
   return std::any_of(options.outputs.begin(), options.outputs.end(),
                      [](const std::string& path) { return format::has_extension(path, ".html"); });
 }
@@ -175,8 +176,9 @@ bool wants_page(const Options& options) {
 /// The solid with its partition, and with the hexahedra of a polycube if there is one. Where the map alone
 /// carries these well, no partition is sought that nobody asked for. Nothing where there are hexahedra and no
 /// partition.
-std::optional<PartitionedSolid> started(SolidProduct& made, const Options& options, const Context& context) {
-  const format::Soup soup = read(options, made.report, context);
+std::optional<PartitionedSolid> started(SolidProduct& made, const ProductArguments& options,
+                                        const Context& context) {
+  const format::Soup soup = read_solid(options, made.report, context);
   product::Solid solid = in_file(options.input, [&] { return product::solid(mesh_of(soup, made.report)); });
   const std::string& path = options.hexahedra.polycube;
   CarriedCubes carried;
@@ -207,7 +209,7 @@ std::optional<PartitionedSolid> started(SolidProduct& made, const Options& optio
   return start;
 }
 
-SolidProduct make(const Options& options, const Context& context) {
+SolidProduct make_product(const ProductArguments& options, const Context& context) {
   SolidProduct made;
   std::optional<PartitionedSolid> start = started(made, options, context);
   if (!start) return made;
@@ -242,10 +244,10 @@ SolidProduct make(const Options& options, const Context& context) {
   return made;
 }
 
-Result run_product(const Options& options, const Context& context) {
-  check(options);
+Result run_product(const ProductArguments& options, const Context& context) {
+  check_outputs(options);
   const auto start = std::chrono::steady_clock::now();
-  SolidProduct made = make(options, context);
+  SolidProduct made = make_product(options, context);
   made.report.json["seconds"] =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   Result result;
@@ -270,7 +272,7 @@ Result run_product(const Options& options, const Context& context) {
 } // namespace
 
 Run declare_product(OptionTable& table) {
-  const auto o = std::make_shared<Options>();
+  const auto o = std::make_shared<ProductArguments>();
   table.add("MESH", o->input, "a handlebody of tetrahedra: .mesh, .msh, .node/.ele, .vtk or .vtu").required();
   table
       .add("--labels", o->partition.labels,

@@ -52,7 +52,7 @@ format::Soup labelled_mesh(const SolidProduct& made) {
   return soup;
 }
 
-std::string page(const SolidProduct& made, const std::string& title) {
+std::string product_page(const SolidProduct& made, const std::string& title) {
   scene::InfoTable table{"Product", {}, {}};
   for (const auto& [name, value] : made.report.rows) table.rows.push_back({name, value});
   // How far walls are from conformal says nothing: u and v run along the floor.
@@ -89,7 +89,7 @@ std::string product_file(const std::string& path, const SolidProduct& made, cons
                ? format::write_medit_hexahedra(made.hexahedra->mesh.points, made.hexahedra->mesh.hexahedra)
                : format::write_medit(labelled_mesh(made));
   if (format::has_extension(path, ".json")) return write_mesh_json(product_document(made, title));
-  if (format::has_extension(path, ".html")) return page(made, title.input);
+  if (format::has_extension(path, ".html")) return product_page(made, title.input);
   const SceneFormat format = *scene::scene_format_for_extension(path);
   return scene::write_scene(made.hexahedra
                                 ? hexahedra_scene(made, title.input, format)

@@ -41,7 +41,7 @@ Json cells_json(const std::vector<product::BadHexahedron>& cells) {
   return list;
 }
 
-std::string_view word(product::FiberEnd end) {
+std::string_view end_word(product::FiberEnd end) {
   return end == product::FiberEnd::budget ? "too many steps" : "no way on";
 }
 
@@ -138,7 +138,7 @@ Report coordinates_report(const product::Coordinates& coordinates) {
   Json list = Json::array();
   std::vector<std::string> texts;
   for (const product::StuckFiber& s : coordinates.stuck) {
-    list.push_back({{"vertex", s.vertex}, {"at", s.at}, {"why", word(s.end)}});
+    list.push_back({{"vertex", s.vertex}, {"at", s.at}, {"why", end_word(s.end)}});
     if (texts.size() < most_told) texts.push_back("v" + std::to_string(s.vertex) + " at " + at(s.at));
   }
   report.json = {{"stuck_fibers", coordinates.stuck.size()},

@@ -21,7 +21,7 @@
 namespace tetrarch::program {
 namespace {
 
-struct Options {
+struct RegisterArguments {
   std::string first;
   std::string second;
   std::string outer;
@@ -43,16 +43,16 @@ struct Input {
   std::vector<mesh::BoundaryLoop> loops;
 };
 
-Input read(const std::string& path, const Doctor& doctor, Result& result, const Context& context) {
+Input read_input(const std::string& path, const Doctor& doctor, Result& result, const Context& context) {
   const SurfaceInput input = read_surface(path, context, doctor);
   result.warnings.insert(result.warnings.end(), input.warnings.begin(), input.warnings.end());
-  Input read{opened(input, {}, {}), {}};
-  read.loops = mesh::boundary_loops(read.surface.mesh);
-  return read;
+  Input read_input{opened(input, {}, {}), {}};
+  read_input.loops = mesh::boundary_loops(read_input.surface.mesh);
+  return read_input;
 }
 
 /// Of each loop of the first surface the loop of the second one.
-std::vector<int> matching(const Options& options, const Input& first, const Input& second) {
+std::vector<int> matching(const RegisterArguments& options, const Input& first, const Input& second) {
   std::vector<int> result;
   std::istringstream words(options.match);
   for (std::string word; std::getline(words, word, ',');)
@@ -90,7 +90,7 @@ struct Candidate {
 };
 
 /// The matchings between which circles do not decide, the best one first, and one more.
-std::vector<Candidate> candidates(const slit::CircularMap& a, const slit::CircularMap& b) {
+std::vector<Candidate> loop_candidates(const slit::CircularMap& a, const slit::CircularMap& b) {
   std::vector<Candidate> result;
   for (const slit::Matching& m : slit::best_matchings(a.domain.circles, b.domain.circles)) {
     Candidate c{std::vector<int>(a.loop.size()), m.distance};
@@ -134,7 +134,7 @@ bool is_better(const slit::Registration& r, const slit::Registration& than) {
 Found searched(const slit::OneForms& a, const slit::CircularMap& map_a, const slit::OneForms& b,
                slit::RegistrationOptions how, Result& result) {
   const slit::LoopPair pair = slit::farthest_loops(b);
-  std::vector<Candidate> all = candidates(map_a, circles(b, pair.outer, pair.inner, false, result));
+  std::vector<Candidate> all = loop_candidates(map_a, circles(b, pair.outer, pair.inner, false, result));
   const auto end =
       std::find_if(all.begin(), all.end(), [&](const Candidate& c) { return !is_as_good(c, all.front()); });
   const std::size_t tried = static_cast<std::size_t>(end - all.begin());
@@ -192,7 +192,7 @@ void tell(Result& result, const Found& found) {
 /// The shape, with the places of its vertices in SECOND's disk and on FIRST.
 format::MeshDocument document(const std::vector<std::array<double, 3>>& points,
                               const mesh::TriangleMesh& first, const slit::Registration& r,
-                              const Options& options) {
+                              const RegisterArguments& options) {
   using enum format::MeshField::On;
   format::MeshDocument mesh;
   mesh.soup.points = points;
@@ -208,7 +208,8 @@ format::MeshDocument document(const std::vector<std::array<double, 3>>& points,
 }
 
 std::string file(const std::string& path, const std::vector<std::array<double, 3>>& points,
-                 const mesh::TriangleMesh& first, const slit::Registration& r, const Options& options) {
+                 const mesh::TriangleMesh& first, const slit::Registration& r,
+                 const RegisterArguments& options) {
   if (is_json(path)) return write_mesh_json(document(points, first, r, options));
   scene::Scene scene;
   scene::Surface& surface = scene.surfaces.emplace_back();
@@ -218,7 +219,7 @@ std::string file(const std::string& path, const std::vector<std::array<double, 3
   return scene::write_scene(scene, *scene::scene_format_for_extension(path));
 }
 
-Result run_register(const Options& options, const Context& context) {
+Result run_register(const RegisterArguments& options, const Context& context) {
   for (const std::string& path : {options.resampled, options.average}) {
     if (path.empty()) continue;
     require_folder(path);
@@ -228,8 +229,8 @@ Result run_register(const Options& options, const Context& context) {
           "this command writes no file with this extension (expected .json, .obj, .ply, .vtu or .glb)");
   }
   Result result;
-  const Input first = read(options.first, options.doctor, result, context);
-  const Input second = read(options.second, options.doctor, result, context);
+  const Input first = read_input(options.first, options.doctor, result, context);
+  const Input second = read_input(options.second, options.doctor, result, context);
   if (first.loops.size() != second.loops.size())
     throw InputError({options.second, 0},
                      "has " + counted(static_cast<long long>(second.loops.size()), "boundary loop") +
@@ -269,7 +270,7 @@ Result run_register(const Options& options, const Context& context) {
 } // namespace
 
 Run declare_register(OptionTable& table) {
-  const auto o = std::make_shared<Options>();
+  const auto o = std::make_shared<RegisterArguments>();
   table.add("FIRST", o->first, "a sphere with two or more holes: OBJ, OFF, PLY or STL").required();
   table.add("SECOND", o->second, "a surface with equally many holes").required();
   table

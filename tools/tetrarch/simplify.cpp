@@ -18,7 +18,7 @@
 namespace tetrarch::program {
 namespace {
 
-struct Options {
+struct SimplifyArguments {
   std::string input;
   std::string output;
   std::string log;
@@ -28,7 +28,7 @@ struct Options {
   bool keep_boundary = false;
 };
 
-void declare_shared(OptionTable& table, Options& options) {
+void declare_shared(OptionTable& table, SimplifyArguments& options) {
   table.add("-o,--output", options.output, "the file to write (its extension names the format)")
       .value_name("FILE");
   table.add("--moves", options.log, "write a log of all moves to this file, one per line").value_name("FILE");
@@ -71,7 +71,7 @@ std::function<void(const moves::Complex&)> auditor(const Triangulation& input) {
   };
 }
 
-Job prepare(const Options& options, const Context& context) {
+Job prepare(const SimplifyArguments& options, const Context& context) {
   if (!options.output.empty()) output_format(options.output);
   require_folder(options.log);
   Job run{read_triangulation(options.input, context, options.doctor), {}, {}};
@@ -82,7 +82,7 @@ Job prepare(const Options& options, const Context& context) {
 }
 
 /// The result as `info` has it, with what the run adds, and its files.
-Result deliver(const Options& options, const Job& run, Triangulation tri, Info info) {
+Result simplified_result(const SimplifyArguments& options, const Job& run, Triangulation tri, Info info) {
   Result result;
   result.warnings = run.input.warnings;
   info.json["input_tetrahedra"] = run.input.triangulation.size();
@@ -100,14 +100,14 @@ Result deliver(const Options& options, const Job& run, Triangulation tri, Info i
   return result;
 }
 
-Result simplify(const Options& options, const Context& context) {
+Result simplify(const SimplifyArguments& options, const Context& context) {
   Job run = prepare(options, context);
   if (!options.log.empty()) run.simplify.log = &run.log;
   run.simplify.change_boundary = !options.keep_boundary;
   Triangulation tri =
       timed(run, [&] { return moves::simplified(run.input.triangulation, run.simplify, context.progress); });
   Info info = info_of(tri, run.input.name, context);
-  return deliver(options, run, std::move(tri), std::move(info));
+  return simplified_result(options, run, std::move(tri), std::move(info));
 }
 
 Json boundary_map(const moves::Truncation& made) {
@@ -123,7 +123,7 @@ Json boundary_map(const moves::Truncation& made) {
   return list;
 }
 
-Result truncate(const Options& options, const Context& context) {
+Result truncate(const SimplifyArguments& options, const Context& context) {
   Job run = prepare(options, context);
   if (!options.log.empty()) run.simplify.log = &run.log;
   moves::TruncateOptions how;
@@ -152,7 +152,7 @@ Result truncate(const Options& options, const Context& context) {
                                                 " of tetrahedron " + std::to_string(b.vertex.tet)));
   }
   info.rows.insert(info.rows.begin(), rows.begin(), rows.end());
-  Result result = deliver(options, run, std::move(made.tri), std::move(info));
+  Result result = simplified_result(options, run, std::move(made.tri), std::move(info));
   if (made.finite_vertices > 0)
     result.warnings.push_back("the result has " + counted(made.finite_vertices, "finite vertex") +
                               ", because there is no other boundary to truncate at");
@@ -162,7 +162,7 @@ Result truncate(const Options& options, const Context& context) {
 } // namespace
 
 Run declare_simplify(OptionTable& table) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<SimplifyArguments>();
   table.add("X", options->input, "a triangulation or a mesh").required();
   table.add("--keep-boundary", options->keep_boundary,
             "leave the triangles of the real boundary as they are");
@@ -171,7 +171,7 @@ Run declare_simplify(OptionTable& table) {
 }
 
 Run declare_truncate(OptionTable& table) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<SimplifyArguments>();
   table
       .add("MESH", options->input, "a mesh of tetrahedra, a closed surface, or a triangulation with boundary")
       .required();

@@ -20,7 +20,7 @@ std::string quads_file(const slit::QuadMesh& quads, scene::SceneFormat format) {
                                            : scene::write_scene(show::quad_scene(quads), format);
 }
 
-std::string page(const MadeSlitMap& made, const SlitOptions& options) {
+std::string slit_page(const MadeSlitMap& made, const SlitOptions& options) {
   scene::InfoTable table{"Map", {}, {}};
   for (const auto& [name, value] : made.report.rows) table.rows.push_back({name, value});
   return scene::write_page(scene::TexturePage{options.input + ": " + made.layout.name,
@@ -59,7 +59,7 @@ std::string slit_file(const std::string& path, const MadeSlitMap& made, const Sl
   if (format::has_extension(path, ".json")) return write_mesh_json(slit_document(made, options));
   if (format::has_extension(path, ".svg"))
     return scene::write_svg(show::slit_drawing(made.mesh, made.layout));
-  if (format::has_extension(path, ".html")) return page(made, options);
+  if (format::has_extension(path, ".html")) return slit_page(made, options);
   const scene::SceneFormat format = *scene::scene_format_for_extension(path);
   if (made.quads) return quads_file(*made.quads, format);
   if (format == scene::SceneFormat::obj) return show::textured_obj(made.mesh, made.layout);

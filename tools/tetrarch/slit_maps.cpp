@@ -26,7 +26,7 @@ SlitDomain domain_named(const std::string& name) {
 }
 
 /// Told, and kept for files.
-void add(MadeSlitMap& made, const slit::Distortion& distortion) {
+void add_distortion(MadeSlitMap& made, const slit::Distortion& distortion) {
   made.report.add(distortion_report(distortion));
   made.flipped = distortion.flipped.size();
   made.quasi_conformal = distortion.mean_quasi_conformal;
@@ -35,7 +35,7 @@ void add(MadeSlitMap& made, const slit::Distortion& distortion) {
 }
 
 /// What was balanced, and how it was before.
-void add(MadeSlitMap& made, const slit::Balanced& balanced, const slit::Distortion& before) {
+void add_distortion(MadeSlitMap& made, const slit::Balanced& balanced, const slit::Distortion& before) {
   made.report.add(balanced_report(balanced, before));
   made.found = made.found && balanced.settled;
 }
@@ -74,12 +74,12 @@ MadeSlitMap make_slits(const slit::OneForms& forms, slit::SlitMap map, const Sli
   };
   if (options.balance) {
     const slit::Distortion before = distortion();
-    add(made,
-        on_ring ? slit::balance_on_ring(forms, map, progress)
-                : slit::balance_on_cylinder(forms, map, progress),
-        before);
+    add_distortion(made,
+                   on_ring ? slit::balance_on_ring(forms, map, progress)
+                           : slit::balance_on_cylinder(forms, map, progress),
+                   before);
   }
-  add(made, distortion());
+  add_distortion(made, distortion());
   made.report.add(residuals_report(residuals));
   made.fields.vertices = {{"log_radius", map.log_radius}, {"angle", map.angle}};
   for (int k = 0; k < forms.loop_count(); ++k)
@@ -97,8 +97,8 @@ MadeSlitMap make_slits(const slit::OneForms& forms, slit::SlitMap map, const Sli
 void make_free(MadeSlitMap& made, const slit::CircularMap& map, const Progress& progress) {
   const slit::Distortion before = slit::distortion_in_plane(made.mesh, map.position);
   const slit::FreeMap free = slit::free_map(made.mesh, map.position, progress);
-  add(made, free.balanced, before);
-  add(made, slit::distortion_in_plane(made.mesh, free.position));
+  add_distortion(made, free.balanced, before);
+  add_distortion(made, slit::distortion_in_plane(made.mesh, free.position));
   made.report.json["crossings"] = free.crossings;
   if (free.crossings > 0) {
     made.report.warnings.push_back("the domain overlaps itself: " + counted(free.crossings, "pair") +
@@ -125,9 +125,9 @@ MadeSlitMap make_circles(mesh::TriangleMesh mesh, slit::CircularMap map, const S
   }
   if (options.balance) {
     const slit::Distortion before = slit::distortion_in_disk(made.mesh, map);
-    add(made, slit::balance_in_disk(made.mesh, map, progress), before);
+    add_distortion(made, slit::balance_in_disk(made.mesh, map, progress), before);
   }
-  add(made, slit::distortion_in_disk(made.mesh, map));
+  add_distortion(made, slit::distortion_in_disk(made.mesh, map));
   made.layout = show::disk_layout(made.mesh, map.position);
   return made;
 }
@@ -191,7 +191,7 @@ MadeSlitMap make_rectangle(const mesh::OpenedMesh& surface, const std::vector<me
     made.report.warnings.emplace_back(
         "the rectangle was not found: holes do not close, or triangles beside short "
         "loops break down (a finer mesh or other --corners may help)");
-  add(made, slit::distortion_in_plane(mesh, found.position));
+  add_distortion(made, slit::distortion_in_plane(mesh, found.position));
   made.layout = show::plane_layout(mesh, found.position, "rectangular domain");
   return made;
 }

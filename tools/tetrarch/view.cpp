@@ -17,7 +17,7 @@ namespace {
 
 using scene::InfoTable;
 
-struct Options {
+struct ViewArguments {
   std::string input;
   std::string output;
   std::int64_t copies = 300;
@@ -70,7 +70,7 @@ InfoTable angle_table(const Embedding& e) {
   return table;
 }
 
-Result run_view(const Options& options, const Context& context) {
+Result run_view(const ViewArguments& options, const Context& context) {
   require_folder(options.output);
   if (options.copies < 1)
     throw InputError("--copies " + std::to_string(options.copies) + ": expected at least 1");
@@ -104,7 +104,7 @@ Result run_view(const Options& options, const Context& context) {
 } // namespace
 
 Run declare_view(OptionTable& table) {
-  const auto o = std::make_shared<Options>();
+  const auto o = std::make_shared<ViewArguments>();
   table.add("X", o->input, "a hyperbolic manifold; the structure is found first, as by hyperbolize")
       .required();
   table.add("-o,--output", o->output, "write the page to this file").value_name("FILE").required();

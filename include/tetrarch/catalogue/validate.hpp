@@ -12,6 +12,7 @@
 
 #include <functional>
 #include <map>
+#include <mutex>
 #include <optional>
 #include <string>
 #include <vector>
@@ -56,6 +57,14 @@ struct Classification {
 struct UnitRecords {
   std::function<const std::string*(const std::string& key)> find;
   std::function<void(const std::string& key, const std::string& text)> keep;
+};
+
+/// Records that last as long as this object, which must outlive what `both` gives. Of a key that comes twice
+/// the first text stays, so that what `find` pointed to never changes.
+struct RecordsInMemory {
+  std::map<std::string, std::string> texts;
+  std::mutex mutex;
+  UnitRecords both();
 };
 
 /// Every `count`-th unit, beginning with number `index`, from 0.

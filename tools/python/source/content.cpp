@@ -311,10 +311,6 @@ py::object at_vertices(const Content& content, const std::string& name) {
   return owned(std::move(values), {length(mesh.soup.points.size()), length(width)});
 }
 
-std::size_t size_of(const Content& content) {
-  return static_cast<std::size_t>(document_in(content).triangulation.size());
-}
-
 std::string written(const Content& content, const std::string& format) {
   return by_size(size_of(content), [content, is_json = format == "json"] {
     const format::Document& document = document_in(content);
@@ -363,6 +359,10 @@ py::object warnings_of(const Content& content) {
 }
 
 } // namespace
+
+std::size_t size_of(const Content& content) {
+  return static_cast<std::size_t>(document_in(content).triangulation.size());
+}
 
 Content content_of(format::Document document) {
   return {std::make_shared<const workshop::Content>(std::move(document))};

@@ -7,6 +7,7 @@
 #include "tetrarch/workshop/open.hpp"
 #include "tetrarch/workshop/tree.hpp"
 
+#include <cstddef>
 #include <memory>
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
@@ -35,6 +36,8 @@ const format::Document& document_in(const Content& content);
 const format::MeshDocument& mesh_in(const Content& content);
 /// The triangulation, which owns what it is part of.
 std::shared_ptr<const Triangulation> triangulation_in(const Content& content);
+/// Of the triangulation, in tetrahedra.
+std::size_t size_of(const Content& content);
 
 /// To be called before anything of pybind11's for arrays. Its table of NumPy's functions is made on first
 /// use, behind a guard that a thread must not wait for while it holds the interpreter's lock: the thread that

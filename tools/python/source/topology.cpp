@@ -40,10 +40,6 @@ const char* word_of(workshop::Verdict verdict) {
   return verdict == workshop::Verdict::proved_no ? "no" : "undecided";
 }
 
-std::size_t size_of(const Content& content) {
-  return static_cast<std::size_t>(triangulation_in(content)->size());
-}
-
 void require_manifold(const Content& content, const std::string& name) {
   by_size(size_of(content), [tri = triangulation_in(content), name] {
     workshop::require_manifold(*tri, name);
