@@ -176,6 +176,9 @@ std::string read_file(const std::string& path, std::size_t limit) {
     if (size > limit) fail(path, "is longer than " + std::to_string(limit) + " bytes");
   }
   content.resize(size);
+  static std::atomic<bool> was_read = false;
+  if (standard_input && was_read.exchange(true) && content.empty())
+    fail(path, "was read already, and it can be read once");
   return content;
 }
 

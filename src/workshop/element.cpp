@@ -37,10 +37,14 @@ std::vector<std::size_t> numbers_of(const format::Collection& collection,
 
 std::size_t number_named(const format::Collection& collection, const std::string& name,
                          const std::string& argument) {
-  std::vector<std::size_t> numbers;
-  if (!name.empty())
-    numbers = numbers_of(collection, [&](const std::string& label) { return label == name; });
-  if (!name.empty() && numbers.empty())
+  if (name.empty())
+    throw InputError({argument, 0},
+                     "which of its " +
+                         counted(static_cast<long long>(collection.elements.size()), "triangulation") +
+                         "? (#1 is the first, #NAME one by its name, #* are all)");
+  std::vector<std::size_t> numbers =
+      numbers_of(collection, [&](const std::string& label) { return label == name; });
+  if (numbers.empty())
     numbers = numbers_of(collection, [&](const std::string& label) { return label.starts_with(name); });
   if (numbers.size() > 1) fail_several(numbers, argument);
   if (!numbers.empty()) return numbers.front();

@@ -655,6 +655,22 @@ class BesideRegina(unittest.TestCase):
             self.assertAlmostEqual(theirs.volume(), M.volume(), places=8)
             self.assertAlmostEqual(tt.Manifold(theirs).volume(), M.volume(), places=10)
 
+    def test_fillings(self):
+        """A manifold is the filled one, or there is none."""
+        import regina
+
+        theirs = regina.SnapPeaTriangulation(tt.Manifold("m129").snapPea())
+        theirs.fill(1, 4, 0)
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            ours = tt.Manifold(theirs)
+        self.assertEqual(str(ours.homology()).replace("Z/", "Z_"), str(theirs.homologyFilled()).replace("1 ", ""))
+        self.assertAlmostEqual(ours.volume(), theirs.volume(), places=8)
+        with self.assertRaisesRegex(tt.InputError, "is not carried out"):
+            tt.Manifold("m004(5,1)")
+        with self.assertWarns(tt.TetrarchWarning):
+            self.assertEqual(tt.Triangulation("m004(5,1)").num_tetrahedra, 2)
+
 
 if __name__ == "__main__":
     unittest.main(argv=[sys.argv[0], *sys.argv[3:]])

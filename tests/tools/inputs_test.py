@@ -152,11 +152,13 @@ class Elements(InFolder):
     def test_what_is_not_there(self):
         path = self.list()
         for element, words in (("3", "holds 2 triangulations"), ("0", "holds 2"), ("9" * 30, "holds 2"),
-                               ("knot", "none of its 2 triangulations is called 'knot'"), ("", "none of its 2")):
+                               ("knot", "none of its 2 triangulations is called 'knot'"), ("", "which of its 2 triangulations? (#1 is the first")):
             done = run("info", path + "#" + element)
             self.assertEqual((done.returncode, done.stderr.count("\n")), (2, 1))
             self.assertIn(words, done.stderr)
         self.assertIn("say which by FILE#1", run("info", path).stderr)
+        done = run("isometric", "-", "-", stdin="cPcbbbihq")
+        self.assertEqual((done.returncode, done.stderr), (2, "tetrarch: standard input: was read already, and it can be read once\n"))
         twice = self.path("twice.sig", "cPcbbbiht a\ncPcbbbihq a\n")
         self.assertIn("this names 2 triangulations: #1, #2", run("info", twice + "#a").stderr)
 

@@ -66,7 +66,6 @@ using workshop::is_signature_with_dash;
 /// signature, and of the "-#3" that is an element of standard input. The functions above take it away again.
 std::string shielded(const std::string& word);
 
-using workshop::require_connected;
 using workshop::require_manifold;
 using workshop::require_manifolds;
 

@@ -11,6 +11,7 @@
 #include "tetrarch/format/read.hpp"
 #include "tetrarch/format/signature_text.hpp"
 #include "tetrarch/format/snappea.hpp"
+#include "tetrarch/workshop/dehn_fillings.hpp"
 
 #include <array>
 #include <atomic>
@@ -335,7 +336,7 @@ Content content_from(const std::string& text) {
   return by_size(text.size() / 16, [text] { // a file takes so many bytes and more for a tetrahedron
     if (text.starts_with("{"))
       return Content{std::make_shared<const workshop::Content>(workshop::open(text))};
-    return content_of(format::read_any(text, "<text>"));
+    return content_of(workshop::with_fillings(format::read_any(text, "<text>"), text, "<text>"));
   });
 }
 

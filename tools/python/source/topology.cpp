@@ -10,6 +10,7 @@
 #include "tetrarch/embed/mobius.hpp"
 #include "tetrarch/moves/log.hpp"
 #include "tetrarch/workshop/canonical.hpp"
+#include "tetrarch/workshop/dehn_fillings.hpp"
 #include "tetrarch/workshop/identify.hpp"
 #include "tetrarch/workshop/info.hpp"
 #include "tetrarch/workshop/structure.hpp"
@@ -41,6 +42,7 @@ const char* word_of(workshop::Verdict verdict) {
 }
 
 void require_manifold(const Content& content, const std::string& name) {
+  workshop::require_filled(document_in(content), name);
   by_size(size_of(content), [tri = triangulation_in(content), name] {
     workshop::require_manifold(*tri, name);
     return true;
