@@ -669,7 +669,7 @@ class BesideRegina(unittest.TestCase):
         with self.assertRaisesRegex(tt.InputError, "is not carried out"):
             tt.Manifold("m004(5,1)")
         with self.assertWarns(tt.TetrarchWarning):
-            self.assertEqual(tt.Triangulation("m004(5,1)").num_tetrahedra, 2)
+            self.assertEqual(tt.Triangulation("m004(5,1)").num_tetrahedra(), 2)
 
 
 if __name__ == "__main__":
