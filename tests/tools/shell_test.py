@@ -93,6 +93,11 @@ class AtTheTerminal(unittest.TestCase):
         for verb in ("enumerate", "gluings", "identify", "list", "show", "validate"):
             t.shows(verb)
         t.shows(PROMPT + "census ")
+        t.type("\x03")
+        t.shows(PROMPT)
+        t.type("canonize m41\t")  # names of the cusped census, too
+        for name in ("m410", "m414"):
+            t.shows(name)
 
     def test_history_of_this_session_and_the_last(self):
         t = self.terminal

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "complete.hpp"
 
-#include "tetrarch/catalogue/manifold.hpp"
+#include "tetrarch/identify/names.hpp"
 #include "tetrarch/moves/log.hpp"
 
 #include <algorithm>
@@ -80,8 +80,11 @@ void add_files(std::set<std::string>& words, const std::string& begun) {
   }
 }
 
-void add_census_names(std::set<std::string>& words) {
-  for (const std::string& name : catalogue::stored_names()) words.insert(name);
+/// The names of known manifolds, once two letters tell which are meant.
+void add_known_names(std::set<std::string>& words, const std::string& begun) {
+  if (begun.size() < 2) return;
+  for (std::string& name : identify::listed_names())
+    if (name.starts_with(begun)) words.insert(std::move(name));
 }
 
 void add_names(std::set<std::string>& words, const Values& values) {
@@ -122,7 +125,7 @@ std::set<std::string> candidates(const Words& before, const std::string& begun, 
   const std::string kind = free ? "" : option->type();
   const bool mesh = kind == "SURFACE" || kind == "MESH";
   if (free || mesh) add_names(words, values);
-  if (free && begun.starts_with("fmp")) add_census_names(words);
+  if (free) add_known_names(words, begun);
   if (free || mesh || kind == "FILE") add_files(words, begun);
   return words;
 }
