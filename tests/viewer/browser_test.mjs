@@ -7,7 +7,7 @@ import { tmpdir } from 'node:os';
 import { basename, join } from 'node:path';
 import { openBrowser, takeModules } from '../../tools/viewer/browser.mjs';
 import { openEyes } from './eyes.mjs';
-import { check, conclude, failures, said, Visit } from './visit.mjs';
+import { check, checkAnotherSize, conclude, failures, said, Visit } from './visit.mjs';
 
 const PHONE = { width: 375, height: 667 };
 /// A body must change at least this share of the picture's pixels, or it is not seen.
@@ -372,6 +372,7 @@ async function checkPage(browser, eyes, file) {
   check(visit.troubles.length === 0, `${name}: ${visit.troubles.join('; ')}`);
   await visit.close();
   await checkPhone(browser, eyes, file, name);
+  await checkAnotherSize(browser, eyes, file, name, PHONE);
 }
 
 if (args.length === 0) {

@@ -6,7 +6,7 @@ import { readFileSync } from 'node:fs';
 import { basename } from 'node:path';
 import { openBrowser, takeModules } from '../../tools/viewer/browser.mjs';
 import { openEyes } from './eyes.mjs';
-import { check, conclude, failures, said, Visit } from './visit.mjs';
+import { check, checkAnotherSize, conclude, failures, said, Visit } from './visit.mjs';
 
 /// A control must change at least this share of each half of the picture.
 const CHANGED = 0.003;
@@ -167,6 +167,7 @@ async function checkPage(browser, eyes, file) {
   check(visit.troubles.length === 0, `${name}: ${visit.troubles.join('; ')}`);
   await visit.close();
   await checkLook(browser, eyes, file, name);
+  await checkAnotherSize(browser, eyes, file, name, PHONE);
 }
 
 const args = process.argv.slice(2);

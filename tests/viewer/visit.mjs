@@ -79,6 +79,17 @@ export class Visit {
   }
 }
 
+/// A page that gets another size shows what a page of that size shows from the first.
+export async function checkAnotherSize(browser, eyes, file, name, viewport) {
+  const [grown, first] = [await Visit.open(browser, file), await Visit.open(browser, file, { viewport })];
+  await grown.after(() => grown.tab.setViewportSize(viewport));
+  await grown.tab.waitForTimeout(500);
+  const share = await eyes.difference(await grown.picture(), await first.picture());
+  check(share < 1e-3, `${name}: in another size ${share} of the pixels differ from those of a page of that size`);
+  await Promise.all([grown.close(), first.close()]);
+  said('sees everything in another size');
+}
+
 /// Says how the checks went, and ends with 1 when something is wrong.
 export function conclude() {
   console.log(

@@ -24,7 +24,10 @@ export class Page {
     addEventListener('hashchange', () => {
       if (location.hash !== this.written) this.read(location.hash);
     });
-    new ResizeObserver(() => this.stage.resize()).observe(this.canvas.parentElement);
+    new ResizeObserver(() => {
+      this.stage.resize();
+      this.stage.refit();
+    }).observe(this.canvas.parentElement);
   }
 
   /// light or dark.

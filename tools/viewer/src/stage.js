@@ -43,6 +43,12 @@ export class Stage extends Screen {
     this.draw();
   }
 
+  /// See everything again in another size, unless someone has placed the camera.
+  refit() {
+    if (this.frame && !this.placed) this.cameras.fit(this.frame, this.cameras.direction());
+    this.draw();
+  }
+
   direction(body) {
     return body.view === 'space' ? this.cameras.direction() : NOT_SET;
   }

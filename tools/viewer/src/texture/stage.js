@@ -46,6 +46,13 @@ export class Stage extends Screen {
     this.draw();
   }
 
+  /// See everything again in another size, where nobody has placed the camera.
+  refit() {
+    for (const { cameras, frame } of this.panes)
+      if (!cameras.placed) cameras.fit(frame, cameras.direction());
+    this.draw();
+  }
+
   arrange(width, height) {
     const count = this.panes.length;
     const stacked = height > width;
