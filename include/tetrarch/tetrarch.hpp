@@ -234,6 +234,7 @@
 #include "tetrarch/verified/certificate.hpp"
 #include "tetrarch/verified/structure.hpp"
 #include "tetrarch/workshop/canonical.hpp"
+#include "tetrarch/workshop/check.hpp"
 #include "tetrarch/workshop/collection.hpp"
 #include "tetrarch/workshop/dehn_fillings.hpp"
 #include "tetrarch/workshop/diagram.hpp"

@@ -2,6 +2,7 @@
 #include "command.hpp"
 
 #include "tetrarch/workshop/canonical.hpp"
+#include "tetrarch/workshop/check.hpp"
 #include "tetrarch/workshop/diagram.hpp"
 #include "tetrarch/workshop/filling.hpp"
 #include "tetrarch/workshop/identify.hpp"
@@ -40,7 +41,7 @@ const std::vector<Command>& commands() {
        "convert cPcbbbiht -o figure8.tri", declare_convert},
       {meshes, "check",
        "every fault of a mesh or a surface, by element and line; the boundary loops of a surface",
-       "check samples/knotted_y_8k.mesh", declare_check},
+       "check samples/knotted_y_8k.mesh", declare_check, false, workshop::notes_of<workshop::Diagnosis>},
       {triangulations, "simplify", "fewer tetrahedra, the same manifold", "simplify gvLQQedfedffrwawrhh",
        declare_simplify},
       {triangulations, "truncate", "turn the mesh of a solid into a few truncated tetrahedra",
