@@ -8,7 +8,9 @@
 #include "tetrarch/workshop/identify.hpp"
 #include "tetrarch/workshop/info.hpp"
 #include "tetrarch/workshop/pair.hpp"
+#include "tetrarch/workshop/simplify.hpp"
 #include "tetrarch/workshop/structure.hpp"
+#include "tetrarch/workshop/truncate.hpp"
 #include "tetrarch/workshop/verify.hpp"
 
 namespace tetrarch::program {
@@ -43,9 +45,10 @@ const std::vector<Command>& commands() {
        "every fault of a mesh or a surface, by element and line; the boundary loops of a surface",
        "check samples/knotted_y_8k.mesh", declare_check, false, workshop::notes_of<workshop::Diagnosis>},
       {triangulations, "simplify", "fewer tetrahedra, the same manifold", "simplify gvLQQedfedffrwawrhh",
-       declare_simplify},
+       declare_simplify, false, workshop::notes_of<workshop::Simplification>},
       {triangulations, "truncate", "turn the mesh of a solid into a few truncated tetrahedra",
-       "truncate samples/knotted_y_8k.mesh -o knotted_y.json", declare_truncate},
+       "truncate samples/knotted_y_8k.mesh -o knotted_y.json", declare_truncate, false,
+       workshop::notes_of<workshop::Truncation>},
       {triangulations, "move", "make one or more moves on a triangulation, or list the legal moves",
        "move cPcbbbiht 2-3 0 1", declare_move, true},
       {triangulations, "subdivide",
