@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "command.hpp"
 
+#include "tetrarch/workshop/bundle.hpp"
 #include "tetrarch/workshop/canonical.hpp"
 #include "tetrarch/workshop/check.hpp"
 #include "tetrarch/workshop/diagram.hpp"
@@ -74,7 +75,8 @@ const std::vector<Command>& commands() {
       {structures, "view", "write a self-contained page to look at the manifold and turn it around",
        "view cPcbbbihq -o knotted_y.html", declare_view},
       {meshes, "bundle", "the unit tangent bundle of a surface, or the circle bundle of any Euler number",
-       "bundle samples/torus.off --fiber 6 -o torus_bundle.json", declare_bundle},
+       "bundle samples/torus.off --fiber 6 -o torus_bundle.json", declare_bundle, false,
+       workshop::notes_of<workshop::SurfaceBundle>},
       {meshes, "slit",
        "map a sphere with holes conformally to a cylinder, rectangle or ring with slits, or to a disk",
        "slit samples/ring_two_holes.off -o ring_two_holes.svg", declare_slit},
