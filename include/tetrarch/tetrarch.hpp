@@ -241,6 +241,7 @@
 #include "tetrarch/workshop/diagram.hpp"
 #include "tetrarch/workshop/doctor.hpp"
 #include "tetrarch/workshop/element.hpp"
+#include "tetrarch/workshop/embed.hpp"
 #include "tetrarch/workshop/fields.hpp"
 #include "tetrarch/workshop/filling.hpp"
 #include "tetrarch/workshop/identify.hpp"

@@ -5,6 +5,7 @@
 #include "tetrarch/workshop/canonical.hpp"
 #include "tetrarch/workshop/check.hpp"
 #include "tetrarch/workshop/diagram.hpp"
+#include "tetrarch/workshop/embed.hpp"
 #include "tetrarch/workshop/filling.hpp"
 #include "tetrarch/workshop/identify.hpp"
 #include "tetrarch/workshop/info.hpp"
@@ -71,7 +72,8 @@ const std::vector<Command>& commands() {
        declare_isometric, false, workshop::notes_with_pairs},
       {structures, "embed",
        "the fundamental domain and its copies in hyperbolic space, the holonomy, boundary tilings",
-       "embed cPcbbbihq --copies 60 --model ball -o knotted_y.glb", declare_embed},
+       "embed cPcbbbihq --copies 60 --model ball -o knotted_y.glb", declare_embed, false,
+       workshop::notes_of<workshop::Embedding>},
       {structures, "view", "write a self-contained page to look at the manifold and turn it around",
        "view cPcbbbihq -o knotted_y.html", declare_view},
       {meshes, "bundle", "the unit tangent bundle of a surface, or the circle bundle of any Euler number",
