@@ -40,7 +40,7 @@ const char* cut_name(Plan::Method method) {
 }
 
 /// Nothing if the bundle over so many triangles is allowed to take what it takes.
-std::optional<double> missing(double triangles, const BundleOptions& options) {
+std::optional<double> bytes_beyond(double triangles, const BundleOptions& options) {
   const double bytes = bundle::bundle_bytes(3.0 * options.plan.fiber * triangles);
   return bytes <= options.most_bytes ? std::nullopt : std::optional(bytes);
 }
@@ -176,8 +176,8 @@ SurfaceBundle circle_bundle(const NumberedSurface& surface, const BundleOptions&
   found.surface = mesh::type_of(given);
   found.triangles = given.triangle_count();
   found.field_given = options.field.has_value();
-  found.bytes_missing = missing(expected_triangles(given, found.surface, options.plan), options);
-  if (found.bytes_missing) return found;
+  found.bytes_needed = bytes_beyond(expected_triangles(given, found.surface, options.plan), options);
+  if (found.bytes_needed) return found;
   auto planned = bundle::plan(mesh::MarkedSurface(given, surface.mesh.points), options.plan, progress);
   if (const auto* obstruction = std::get_if<bundle::Obstruction>(&planned)) {
     found.obstruction = obstructed(*obstruction, surface);
@@ -185,8 +185,8 @@ SurfaceBundle circle_bundle(const NumberedSurface& surface, const BundleOptions&
   }
   MadeBundle made;
   made.plan = std::get<Plan>(std::move(planned));
-  found.bytes_missing = missing(made.plan.cut.surface.triangle_count(), options);
-  if (found.bytes_missing) return found;
+  found.bytes_needed = bytes_beyond(made.plan.cut.surface.triangle_count(), options);
+  if (found.bytes_needed) return found;
   assemble_and_prove(made, progress);
   constexpr int small = 2'000; // tetrahedra; beyond, nobody reads a signature or a group
   made.info = info(made.bundle.total, "", made.bundle.total.size() > small, progress);

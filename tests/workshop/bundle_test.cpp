@@ -95,6 +95,6 @@ TEST_CASE("what takes too much memory is not begun", "[workshop]") {
   options.most_bytes = 1000;
   const SurfaceBundle found = circle_bundle(triangle(), options);
   CHECK(found.verdict() == Verdict::undecided);
-  REQUIRE(found.bytes_missing);
-  CHECK(*found.bytes_missing == Approx(bundle::bundle_bytes(3 * 8))); // one triangle, 8 prisms
+  REQUIRE(found.bytes_needed);
+  CHECK(*found.bytes_needed == Approx(bundle::bundle_bytes(3 * 8))); // one triangle, 8 prisms
 }

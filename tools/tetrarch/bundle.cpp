@@ -152,8 +152,8 @@ Result run_bundle(const BundleArguments& options, const Context& context) {
   const SurfaceInput surface = read_surface(options.input, context, options.doctor);
   const workshop::BundleOptions how = bundle_options(options, surface, context);
   const workshop::SurfaceBundle found = workshop::circle_bundle(surface, how, context.progress);
-  if (found.bytes_missing)
-    require_memory("--fiber " + std::to_string(how.plan.fiber), *found.bytes_missing,
+  if (found.bytes_needed)
+    require_memory("--fiber " + std::to_string(how.plan.fiber), *found.bytes_needed,
                    allowed_gigabytes(context));
   Result result;
   result.status = status_of(found.verdict());

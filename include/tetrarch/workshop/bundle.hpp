@@ -61,7 +61,7 @@ struct SurfaceBundle {
   std::optional<Obstructed> obstruction;
 
   /// Bytes that the work would take, where these are more than was allowed.
-  std::optional<double> bytes_missing;
+  std::optional<double> bytes_needed;
 
   /// A proved no if there is an obstruction; undecided where memory does not suffice.
   Verdict verdict() const;
