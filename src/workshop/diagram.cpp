@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "tetrarch/workshop/diagram.hpp"
 
+#include "with_info.hpp"
+
 #include "tetrarch/core/error.hpp"
 #include "tetrarch/diagram/curve.hpp"
 #include "tetrarch/diagram/exterior.hpp"
@@ -195,17 +197,12 @@ const FieldList<Exterior>& fields_of<Exterior>() {
 
 template <>
 Tree tree_of<Exterior>(const Exterior& x) {
-  Tree tree = tree_of(x.info);
-  for (const Field<Exterior>& field : fields_of<Exterior>())
-    if (field.present == nullptr || field.present(x)) tree[field.name] = field.value(x);
-  return tree;
+  return tree_with_info(x);
 }
 
 template <>
 std::vector<FieldNote> notes_of<Exterior>() {
-  std::vector<FieldNote> notes = notes_of<Info>();
-  notes.insert(notes.end(), fields_of<Exterior>().begin(), fields_of<Exterior>().end());
-  return notes;
+  return notes_with_info<Exterior>();
 }
 
 } // namespace tetrarch::workshop

@@ -3,10 +3,15 @@
 
 #include "tetrarch/core/signature.hpp"
 #include "tetrarch/format/document.hpp"
+#include "tetrarch/workshop/bundle.hpp"
 #include "tetrarch/workshop/canonical.hpp"
+#include "tetrarch/workshop/check.hpp"
+#include "tetrarch/workshop/embed.hpp"
 #include "tetrarch/workshop/identify.hpp"
 #include "tetrarch/workshop/info.hpp"
+#include "tetrarch/workshop/open.hpp"
 #include "tetrarch/workshop/structure.hpp"
+#include "tetrarch/workshop/truncate.hpp"
 #include "tetrarch/workshop/verify.hpp"
 
 #include <catch2/catch.hpp>
@@ -17,6 +22,8 @@ using namespace tetrarch;
 using namespace tetrarch::workshop;
 
 namespace {
+
+const std::string meshes = TETRARCH_SOURCE_DIR "/tests/data/mesh/";
 
 /// The laws of every list: names are unique words, meanings are there, and a result says nothing that the
 /// list does not name.
@@ -30,8 +37,12 @@ void check_list(const Result& result) {
           std::string::npos);
     CHECK(std::string(note.meaning).size() > 4);
   }
-  CHECK(tree_of(result).size() <= names.size());
-  CHECK(tree_of(result).size() > 0);
+  const std::size_t members = tree_of(result).size();
+  Tree rest = tree_of(result);
+  for (const std::string& name : names) rest.erase(name);
+  CHECK(rest.empty());
+  CHECK(members <= names.size());
+  CHECK(members > 0);
 }
 
 } // namespace
@@ -48,7 +59,13 @@ TEST_CASE("every result lists its fields once", "[workshop]") {
     check_list(isometry({tri, "x"}, {tri, "x"}));
     check_list(identify::identify(tri));
     check_list(checker::Report());
+    check_list(simplify(tri));
+    check_list(truncate(tri));
+    if (const Placement at = placement(tri); at.verdict() == Verdict::yes) check_list(embedding(at));
   }
+  for (const char* name : {"cube.off", "ring_two_holes.off", "gmsh_solid.mesh"})
+    check_list(check(open_mesh(meshes + name)));
+  check_list(circle_bundle(surface_of(open_mesh(meshes + "cube.off"))));
 }
 
 TEST_CASE("a structure is found, or the answer says what kind of no it is", "[workshop]") {

@@ -1,13 +1,18 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "command.hpp"
 
+#include "tetrarch/workshop/bundle.hpp"
 #include "tetrarch/workshop/canonical.hpp"
+#include "tetrarch/workshop/check.hpp"
 #include "tetrarch/workshop/diagram.hpp"
+#include "tetrarch/workshop/embed.hpp"
 #include "tetrarch/workshop/filling.hpp"
 #include "tetrarch/workshop/identify.hpp"
 #include "tetrarch/workshop/info.hpp"
 #include "tetrarch/workshop/pair.hpp"
+#include "tetrarch/workshop/simplify.hpp"
 #include "tetrarch/workshop/structure.hpp"
+#include "tetrarch/workshop/truncate.hpp"
 #include "tetrarch/workshop/verify.hpp"
 
 namespace tetrarch::program {
@@ -40,11 +45,12 @@ const std::vector<Command>& commands() {
        "convert cPcbbbiht -o figure8.tri", declare_convert},
       {meshes, "check",
        "every fault of a mesh or a surface, by element and line; the boundary loops of a surface",
-       "check samples/knotted_y_8k.mesh", declare_check},
+       "check samples/knotted_y_8k.mesh", declare_check, false, workshop::notes_of<workshop::Diagnosis>},
       {triangulations, "simplify", "fewer tetrahedra, the same manifold", "simplify gvLQQedfedffrwawrhh",
-       declare_simplify},
+       declare_simplify, false, workshop::notes_of<workshop::Simplification>},
       {triangulations, "truncate", "turn the mesh of a solid into a few truncated tetrahedra",
-       "truncate samples/knotted_y_8k.mesh -o knotted_y.json", declare_truncate},
+       "truncate samples/knotted_y_8k.mesh -o knotted_y.json", declare_truncate, false,
+       workshop::notes_of<workshop::Truncation>},
       {triangulations, "move", "make one or more moves on a triangulation, or list the legal moves",
        "move cPcbbbiht 2-3 0 1", declare_move, true},
       {triangulations, "subdivide",
@@ -66,11 +72,13 @@ const std::vector<Command>& commands() {
        declare_isometric, false, workshop::notes_with_pairs},
       {structures, "embed",
        "the fundamental domain and its copies in hyperbolic space, the holonomy, boundary tilings",
-       "embed cPcbbbihq --copies 60 --model ball -o knotted_y.glb", declare_embed},
+       "embed cPcbbbihq --copies 60 --model ball -o knotted_y.glb", declare_embed, false,
+       workshop::notes_of<workshop::Embedding>},
       {structures, "view", "write a self-contained page to look at the manifold and turn it around",
        "view cPcbbbihq -o knotted_y.html", declare_view},
       {meshes, "bundle", "the unit tangent bundle of a surface, or the circle bundle of any Euler number",
-       "bundle samples/torus.off --fiber 6 -o torus_bundle.json", declare_bundle},
+       "bundle samples/torus.off --fiber 6 -o torus_bundle.json", declare_bundle, false,
+       workshop::notes_of<workshop::SurfaceBundle>},
       {meshes, "slit",
        "map a sphere with holes conformally to a cylinder, rectangle or ring with slits, or to a disk",
        "slit samples/ring_two_holes.off -o ring_two_holes.svg", declare_slit},

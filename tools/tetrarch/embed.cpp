@@ -4,22 +4,18 @@
 #include "output.hpp"
 #include "text.hpp"
 
-#include "tetrarch/algebra/group.hpp"
 #include "tetrarch/core/error.hpp"
-#include "tetrarch/core/signature.hpp"
-#include "tetrarch/embed/mobius.hpp"
 #include "tetrarch/format/text.hpp"
 #include "tetrarch/scene/files.hpp"
 #include "tetrarch/show/in_model.hpp"
+#include "tetrarch/workshop/embed.hpp"
 
-#include <algorithm>
 #include <memory>
 #include <optional>
 
 namespace tetrarch::program {
 namespace {
 
-using embed::Piece;
 using show::Body;
 using show::ModelOptions;
 
@@ -58,117 +54,24 @@ void require_output(const std::string& path) {
     throw InputError({path, 0}, "no picture has this extension (expected .glb, .ply, .obj, .vtu or .svg)");
 }
 
-Json matrix_json(const embed::Matrix4<double>& m) {
-  Json rows = Json::array();
-  for (const auto& row : m) rows.push_back(row);
-  return rows;
-}
-
-Json mobius_json(const embed::Matrix4<double>& m) {
-  const auto mobius = embed::mobius_of(m);
-  Json entries = Json::array();
-  for (const auto& z : {mobius.a, mobius.b, mobius.c, mobius.d}) entries.push_back({z.re, z.im});
-  return {{"matrix", entries}, {"reverses_orientation", mobius.reverses}};
-}
-
-Json residuals_json(const embed::Residuals& r) {
-  return {{"seam", r.seam},
-          {"relator", r.relator},
-          {"relator_sl2c", r.relator_sl2c},
-          {"edge_rotation", r.edge_rotation},
-          {"boundary_plane", r.boundary_plane},
-          {"gauss_bonnet", r.gauss_bonnet}};
-}
-
-Json domain_json(const Embedding& e) {
-  Json tets = Json::array();
-  for (std::size_t t = 0; t < e.domain.vertices.size(); ++t) {
-    Json types = Json::array();
-    for (const auto type : e.domain.types[t]) types.push_back(to_string(type));
-    tets.push_back(
-        {{"vertices", e.domain.vertices[t]}, {"types", types}, {"parent", e.domain.entrance[t].tet}});
-  }
-  Json faces = Json::array();
-  for (const auto& face : e.domain.faces) {
-    Json hexagons = Json::array();
-    for (const TetFace f : face.hexagons) hexagons.push_back({f.tet, f.face});
-    faces.push_back(
-        {{"hexagons", hexagons}, {"partner", face.partner}, {"pairing", matrix_json(face.pairing)}});
-  }
-  Json generators = Json::array();
-  for (const auto& g : e.domain.holonomy) {
-    Json entry{{"so31", matrix_json(g)}, {"sl2c", mobius_json(g)}};
-    generators.push_back(std::move(entry));
-  }
-  Json relators = Json::array();
-  for (const auto& word : e.domain.group.presentation.relators)
-    relators.push_back(algebra::word_str(word, e.domain.group.presentation.generators));
-  return {{"half_space", matrix_json(e.domain.half_space)},
-          {"tetrahedra", tets},
-          {"gluable_faces", faces},
-          {"generators", generators},
-          {"relators", relators}};
-}
-
-Json piece_json(const Piece& piece) {
-  return {{"count", piece.copies.size()},
-          {"complete", piece.complete},
-          {"longest_word", *std::max_element(piece.length.begin(), piece.length.end())},
-          {"farthest", *std::max_element(piece.distance.begin(), piece.distance.end())},
-          {"largest_duplicate_difference", piece.largest_duplicate},
-          {"smallest_difference", piece.closest}};
-}
-
-/// Written out while its generators are single letters.
-std::string group_text(const algebra::Presentation& group) {
-  if (group.generators <= 26) return group.str();
-  return counted(group.generators, "generator") + ", " +
-         counted(static_cast<long long>(group.relators.size()), "relator");
-}
-
-std::vector<std::pair<std::string, std::string>> report(const Embedding& e, const embed::Residuals& r,
-                                                        const Piece& piece) {
-  const Json p = piece_json(piece);
-  return {{"manifold", e.name},
-          {"volume", fixed(e.structure.volume, 12)},
-          {"tetrahedra", std::to_string(e.tri.size())},
-          {"gluable faces", std::to_string(e.domain.faces.size())},
-          {"group", group_text(e.domain.group.presentation)},
-          {"seam error", scientific(r.seam, 1)},
-          {"relators",
-           scientific(r.relator, 1) + " in SO(3,1), " + scientific(r.relator_sl2c, 1) + " in SL(2,C)"},
-          {"edge rotations", scientific(r.edge_rotation, 1)},
-          {"boundary planes", scientific(r.boundary_plane, 1)},
-          {"Gauss-Bonnet", scientific(r.gauss_bonnet, 1)},
-          {"copies", std::to_string(piece.copies.size()) + ", words up to length " +
-                         std::to_string(p["longest_word"].integer()) + ", up to distance " +
-                         fixed(p["farthest"].number(), 3)}};
-}
-
-/// What is drawn: the domain and its copies, or one boundary component and its copies.
-struct Drawn {
-  Body body;
-  Piece piece;
-};
-
-Drawn draw(const Embedding& e, const embed::PieceBounds& wanted, const EmbedArguments& options,
-           const Context& context) {
+/// The domain with its copies, or one boundary component with its own.
+workshop::Embedding embedded(workshop::Placement at, const EmbedArguments& options,
+                             const embed::PieceBounds& wanted, const Context& context) {
   const embed::PieceBounds bounds = allowed_bounds(wanted, allowed_gigabytes(context));
-  Drawn drawn;
-  if (options.boundary) {
-    const auto lifts = boundary_lifts(e.tri, e.skeleton, e.domain);
-    if (*options.boundary < 0 || *options.boundary >= static_cast<int>(lifts.size()))
-      throw InputError("--boundary " + std::to_string(*options.boundary) + ": " + e.name + " has " +
-                       counted(static_cast<long long>(lifts.size()), "component") + ", counted from 0");
-    const auto& lift = lifts[*options.boundary];
-    drawn.piece = group_piece(lift.pairings, lift.size, bounds, context.progress);
-    drawn.body = show::body_of(e.skeleton, lift, drawn.piece);
-  } else {
-    drawn.piece = universal_cover(e.domain, bounds, context.progress);
-    drawn.body = show::body_of(e.tri, e.skeleton, e.domain, drawn.piece);
-  }
-  require_complete(drawn.piece, wanted, allowed_gigabytes(context));
-  return drawn;
+  const int components = at.boundary_count();
+  if (options.boundary && (*options.boundary < 0 || *options.boundary >= components))
+    throw InputError("--boundary " + std::to_string(*options.boundary) + ": " + at.name + " has " +
+                     counted(components, "component") + ", counted from 0");
+  workshop::Embedding found =
+      workshop::embedding(std::move(at), {bounds, options.boundary}, context.progress);
+  require_complete(found.piece, wanted, allowed_gigabytes(context));
+  return found;
+}
+
+Body body_of(const workshop::Embedding& e) {
+  const workshop::Placement& at = e.at;
+  return e.lift ? show::body_of(at.skeleton, *e.lift, e.piece)
+                : show::body_of(at.triangulation(), at.skeleton, at.domain, e.piece);
 }
 
 /// One of the names that are allowed.
@@ -200,21 +103,17 @@ std::string picture(const std::string& path, const Body& body, const EmbedArgume
 Result run_embed(const EmbedArguments& options, const Context& context) {
   for (const std::string& path : options.outputs) require_output(path);
   const embed::PieceBounds wanted = wanted_bounds(options); // complains before anything is computed
-  const Embedding e = embedded(options.input, options.cusp_area, context);
-  const Drawn drawn = draw(e, wanted, options, context);
-  const embed::Residuals r = residuals(e.tri, e.skeleton, e.domain);
+  PlacedInput input = placed(options.input, options.cusp_area, context);
+  const workshop::Embedding found = embedded(std::move(input.placement), options, wanted, context);
   Result result;
-  result.warnings = e.warnings;
-  if (constexpr double visible = 1e-6; !(std::max({r.seam, r.boundary_plane, r.edge_rotation}) < visible))
-    result.warnings.push_back("the domain is too large for double precision: its far parts are off by " +
-                              scientific(std::max(r.seam, r.boundary_plane), 1));
-  result.text = block(report(e, r, drawn.piece));
-  result.json = {{"signature", signature(e.tri)}, {"volume", e.structure.volume}};
-  result.json["residuals"] = residuals_json(r);
-  result.json["domain"] = domain_json(e);
-  result.json["copies"] = piece_json(drawn.piece);
+  result.warnings = std::move(input.warnings);
+  for (const std::string& remark : found.remarks()) result.warnings.push_back(remark);
+  result.text = block(rows_of(found));
+  result.json = tree_of(found);
+  if (options.outputs.empty()) return result;
+  const Body body = body_of(found);
   for (const std::string& path : options.outputs)
-    result.files.push_back({path, picture(path, drawn.body, options, context)});
+    result.files.push_back({path, picture(path, body, options, context)});
   return result;
 }
 

@@ -5,8 +5,6 @@
 #include "text.hpp"
 
 #include "tetrarch/core/error.hpp"
-#include "tetrarch/core/signature.hpp"
-#include "tetrarch/hyperbolic/search.hpp"
 #include "tetrarch/workshop/dehn_fillings.hpp"
 
 #include <algorithm>
@@ -15,44 +13,24 @@
 namespace tetrarch::program {
 namespace {
 
-/// Finds the structure as `hyperbolize` does, and takes the triangulation that carries it.
-void find_structure(Embedding& e, const std::string& input, const Context& context) {
-  hyperbolic::SearchOptions how;
-  how.seed = context.seed;
-  hyperbolic::Search found = hyperbolic::find_structure(e.tri, how, context.progress);
-  if (found.structure.outcome != hyperbolic::Outcome::geometric)
-    throw InputError({input, 0}, "there is no structure to embed: " +
-                                     describe(found.structure, Skeleton(found.triangulation)) + " (" +
-                                     describe(found) + ")");
-  if (found.filled_spheres > 0)
-    e.warnings.push_back(counted(found.filled_spheres, "boundary sphere") +
-                         " filled with balls: this is another manifold than the given one");
-  if (found.changed)
-    e.warnings.push_back("the structure was found on another triangulation, of " +
-                         counted(found.triangulation.size(), "tetrahedron") + ": " +
-                         signature(found.triangulation));
-  e.tri = std::move(found.triangulation);
-  e.skeleton = Skeleton(e.tri);
-  e.structure = std::move(found.structure);
-}
-
 std::string in_gigabytes(double bytes) {
   return fixed(bytes / 1e9, bytes < 1e10 ? 1 : 0) + " GB";
 }
 
 } // namespace
 
-Embedding embedded(const std::string& input, double cusp_area, const Context& context) {
+PlacedInput placed(const std::string& input, double cusp_area, const Context& context) {
   if (!(cusp_area > 0)) throw InputError("--cusp-area " + fixed(cusp_area, 3) + ": expected a positive area");
   format::Document document = read_triangulation(input, context);
   require_manifold(document.triangulation, input);
   workshop::require_filled(document, input);
-  Embedding e{std::move(document.triangulation), Skeleton(Triangulation()), std::move(document.name), {}, {},
-              std::move(document.warnings)};
-  if (e.name.empty()) e.name = input;
-  find_structure(e, input, context);
-  e.domain = embed::fundamental_domain(e.tri, e.skeleton, e.structure, {cusp_area}, context.progress);
-  return e;
+  const std::string name = document.name.empty() ? input : document.name;
+  PlacedInput found{
+      workshop::placement(document.triangulation, {name, context.seed, cusp_area}, context.progress),
+      std::move(document.warnings)};
+  if (const std::string why = found.placement.why_not(); !why.empty())
+    throw InputError({input, 0}, "there is no structure to embed: " + why);
+  return found;
 }
 
 void require_memory(const std::string& what, double bytes, double gigabytes) {

@@ -5,26 +5,22 @@
 
 #include "command.hpp"
 
-#include "tetrarch/embed/boundary.hpp"
 #include "tetrarch/embed/cover.hpp"
-#include "tetrarch/hyperbolic/hyperbolize.hpp"
+#include "tetrarch/workshop/embed.hpp"
 
 #include <string>
+#include <vector>
 
 namespace tetrarch::program {
 
-struct Embedding {
-  Triangulation tri;
-  Skeleton skeleton;
-  std::string name; ///< of the document, or the input itself
-  hyperbolic::Hyperbolization<double> structure;
-  embed::Domain<double> domain;
+struct PlacedInput {
+  workshop::Placement placement; ///< called by the name of the document, or the input itself
   std::vector<std::string> warnings;
 };
 
 /// The structure is searched for as `hyperbolize` does; where another triangulation carries it, that one is
-/// embedded, and a warning says so. Throws InputError where none is found.
-Embedding embedded(const std::string& input, double cusp_area, const Context& context);
+/// placed. Throws InputError where none is found.
+PlacedInput placed(const std::string& input, double cusp_area, const Context& context);
 
 /// Throws InputError if `what` needs more bytes than so many gigabytes.
 void require_memory(const std::string& what, double bytes, double gigabytes);

@@ -5,8 +5,6 @@
 #include "input.hpp"
 #include "text.hpp"
 
-#include "tetrarch/workshop/info.hpp"
-
 #include <memory>
 
 namespace tetrarch::program {
@@ -25,8 +23,11 @@ std::string on_screen(const std::string& signature) {
 
 Info info_of(const Triangulation& tri, const std::string& name, const Context& context, bool brief) {
   const workshop::Info found = workshop::info(tri, name, brief, context.progress);
-  return {tree_of(found),
-          rows_of(found, context.values == nullptr ? found.signature : on_screen(found.signature))};
+  return {tree_of(found), rows_of(found, shown_signature(found, context))};
+}
+
+std::string shown_signature(const workshop::Info& info, const Context& context) {
+  return context.values == nullptr ? info.signature : on_screen(info.signature);
 }
 
 Run declare_info(OptionTable& table) {

@@ -6,6 +6,7 @@
 #include "command.hpp"
 
 #include "tetrarch/core/triangulation.hpp"
+#include "tetrarch/workshop/info.hpp"
 
 #include <string>
 #include <utility>
@@ -20,5 +21,8 @@ struct Info {
   std::vector<std::pair<std::string, std::string>> rows;
 };
 Info info_of(const Triangulation& tri, const std::string& name, const Context& context, bool brief = false);
+
+/// The signature as rows show it: in a session the beginning of a long one.
+std::string shown_signature(const workshop::Info& info, const Context& context);
 
 } // namespace tetrarch::program

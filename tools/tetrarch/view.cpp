@@ -16,6 +16,7 @@ namespace tetrarch::program {
 namespace {
 
 using scene::InfoTable;
+using workshop::Placement;
 
 struct ViewArguments {
   std::string input;
@@ -24,20 +25,20 @@ struct ViewArguments {
   double cusp_area = embed::DomainOptions{}.cusp_area;
 };
 
-InfoTable manifold_table(const Embedding& e) {
+InfoTable manifold_table(const Placement& e) {
   return {
       "Manifold",
       {},
-      {{"signature", signature(e.tri)},
-       {"volume", fixed(e.structure.volume, 12)},
-       {"tetrahedra", std::to_string(e.tri.size())},
+      {{"signature", signature(e.triangulation())},
+       {"volume", fixed(e.search.structure.volume, 12)},
+       {"tetrahedra", std::to_string(e.triangulation().size())},
        {"orientable", e.skeleton.is_orientable() ? "yes" : "no"},
-       {"homology", algebra::homology(e.tri, e.skeleton, 1).str()},
+       {"homology", algebra::homology(e.triangulation(), e.skeleton, 1).str()},
        {"group", e.domain.group.presentation.generators <= 26 ? simplified(e.domain.group.presentation).str()
                                                               : "of more than 26 generators"}}};
 }
 
-InfoTable boundary_table(const Embedding& e) {
+InfoTable boundary_table(const Placement& e) {
   InfoTable table{"Boundary", {"vertex", "surface", "area"}, {}};
   for (const VertexId v : all<VertexId>(e.skeleton.vertex_count())) {
     const SurfaceType& link = e.skeleton.link(v);
@@ -47,7 +48,7 @@ InfoTable boundary_table(const Embedding& e) {
   return table;
 }
 
-InfoTable edge_table(const Embedding& e) {
+InfoTable edge_table(const Placement& e) {
   InfoTable table{"Edges", {"edge", "length", "valence"}, {}};
   const auto types = hyperbolic::vertex_types(e.skeleton);
   for (const EdgeId edge : all<EdgeId>(e.skeleton.edge_count())) {
@@ -55,17 +56,17 @@ InfoTable edge_table(const Embedding& e) {
     const bool infinite =
         types[p] == hyperbolic::VertexType::ideal || types[q] == hyperbolic::VertexType::ideal;
     table.rows.push_back({std::to_string(edge.value),
-                          infinite ? "infinite" : fixed(e.structure.lengths[edge], 10),
+                          infinite ? "infinite" : fixed(e.search.structure.lengths[edge], 10),
                           std::to_string(e.skeleton.valence(edge))});
   }
   return table;
 }
 
-InfoTable angle_table(const Embedding& e) {
+InfoTable angle_table(const Placement& e) {
   InfoTable table{"Dihedral angles", {"tet", "01", "02", "03", "12", "13", "23"}, {}};
-  for (std::size_t t = 0; t < e.structure.dihedral_angles.size(); ++t) {
+  for (std::size_t t = 0; t < e.search.structure.dihedral_angles.size(); ++t) {
     auto& row = table.rows.emplace_back(1, std::to_string(t));
-    for (const double angle : e.structure.dihedral_angles[t]) row.push_back(fixed(angle, 6));
+    for (const double angle : e.search.structure.dihedral_angles[t]) row.push_back(fixed(angle, 6));
   }
   return table;
 }
@@ -78,18 +79,20 @@ Result run_view(const ViewArguments& options, const Context& context) {
   if (options.copies > most_copies)
     throw InputError("--copies " + std::to_string(options.copies) + ": a page shows at most " +
                      std::to_string(most_copies) + "; 'tetrarch embed' writes more copies to a file");
-  const Embedding e = embedded(options.input, options.cusp_area, context);
+  const PlacedInput input = placed(options.input, options.cusp_area, context);
+  const Placement& e = input.placement;
   // A piece by word length has gaps near by that farther copies would fill: of more, the nearest are kept.
   const embed::PieceBounds bounds{8 * options.copies, 0, 0};
   show::Page page{e.name, {manifold_table(e), boundary_table(e), edge_table(e), angle_table(e)}, {}};
-  page.bodies.push_back(
-      show::body_of(e.tri, e.skeleton, e.domain, universal_cover(e.domain, bounds, context.progress)));
-  for (const auto& lift : boundary_lifts(e.tri, e.skeleton, e.domain))
+  page.bodies.push_back(show::body_of(e.triangulation(), e.skeleton, e.domain,
+                                      universal_cover(e.domain, bounds, context.progress)));
+  for (const auto& lift : boundary_lifts(e.triangulation(), e.skeleton, e.domain))
     page.bodies.push_back(
         show::body_of(e.skeleton, lift, group_piece(lift.pairings, lift.size, bounds, context.progress)));
   for (auto& body : page.bodies) keep_nearest(body, static_cast<std::size_t>(options.copies));
   Result result;
-  result.warnings = e.warnings;
+  result.warnings = input.warnings;
+  for (const std::string& remark : e.remarks()) result.warnings.push_back(remark);
   Json bodies = Json::array();
   for (const auto& body : page.bodies)
     bodies.push_back({{"name", body.name}, {"copies", body.copies.size()}});
