@@ -12,8 +12,9 @@ using numeric::Algebraic;
 using numeric::Ball;
 using Vector = std::array<Algebraic, 4>;
 
-/// Fields of degrees 5 and 9 were seen. The longest step of a search, which nothing interrupts, takes 0.1 s
-/// for degree 16, 0.5 s for 24 and 1.4 s for 30 (measured on x^d - 2).
+/// Fields of degrees 5 and 9 were seen in cells, up to 14 in cusped manifolds of five tetrahedra. The longest
+/// step of a search, which nothing interrupts, takes 0.1 s for degree 16, 0.5 s for 24 and 1.4 s for 30
+/// (measured on x^d - 2).
 constexpr int most_degree = 16;
 /// What `recognize` asks for, and room for the rounding on the way.
 constexpr int bits_to_see = 100 * most_degree + 400;
