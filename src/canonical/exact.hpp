@@ -5,10 +5,12 @@
 
 #include "tetrarch/canonical/certify.hpp"
 #include "tetrarch/canonical/decorated.hpp"
+#include "tetrarch/numeric/algebraic.hpp"
 
 #include <functional>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace tetrarch::canonical {
 
@@ -18,5 +20,14 @@ namespace tetrarch::canonical {
 std::optional<std::string> prove_flat_exactly(const Triangulation& tri, const Skeleton& skeleton,
                                               const FlatFaces& flat, const PreciseSolver& solver,
                                               const std::function<void()>& still_wanted = {});
+
+/// Its two halves. What is guessed: inner products of the ends of edges, edge by edge, then those of the
+/// vertices off a face on both sides, in the order of each face's first side.
+std::vector<numeric::Ball> products_to_guess(const Decorated<numeric::Ball>& m, const Skeleton& skeleton);
+
+/// What is proved: these numbers, taken for what `products_to_guess` lists, make the hyperbolic structure
+/// with cusps of one area, in which all faces marked `flat` are so.
+bool are_of_flat_structure(const Triangulation& tri, const Skeleton& skeleton, const FlatFaces& flat,
+                           const std::vector<numeric::Algebraic>& products);
 
 } // namespace tetrarch::canonical

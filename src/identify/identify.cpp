@@ -5,6 +5,7 @@
 #include "tetrarch/canonical/canonize.hpp"
 #include "tetrarch/catalogue/cusped.hpp"
 #include "tetrarch/catalogue/graphs.hpp"
+#include "tetrarch/catalogue/prove.hpp"
 #include "tetrarch/core/boundary.hpp"
 #include "tetrarch/core/signature.hpp"
 #include "tetrarch/hyperbolic/search.hpp"
@@ -124,9 +125,12 @@ private:
           volume_text(*out_.volume));
       return;
     }
-    out_.confirmed_only = cells.has_flat_faces;
+    if (cells.has_flat_faces) catalogue::prove_cells(cells, progress_);
+    out_.confirmed_only = cells.has_flat_faces && !cells.proof.certified;
+    const canonical::CellsProof proof = std::move(cells.proof);
     const std::vector<std::string> graphs = catalogue::graphs_with_structure(cells.isometry_signature);
     look_up(std::move(cells.isometry_signature));
+    say_what_is_flat(proof);
     look_up_graphs(graphs, By::isometry_signature);
   }
 
@@ -142,11 +146,16 @@ private:
       out_.manifold = std::move(known->manifold);
       say("isometry signature " + isometry_signature + " is that of " + out_.name);
     }
+    out_.isometry_signature = std::move(isometry_signature);
+  }
+
+  void say_what_is_flat(const canonical::CellsProof& proof) {
     if (out_.confirmed_only)
       say("a face of the canonical decomposition is flat to 30 digits of 60, which is not a proof: the "
-          "isometry "
-          "signature rests on it");
-    out_.isometry_signature = std::move(isometry_signature);
+          "isometry signature rests on it (" +
+          proof.why_not + ")");
+    else if (proof.certified)
+      say("the flat faces of the canonical decomposition are proved flat");
   }
 
   /// Graphs in space with this exterior give it a name where no table does.

@@ -28,7 +28,7 @@ Interval interval(const Ball& x) {
 
 /// Real and imaginary part.
 std::array<Interval, 2> intervals(const Structure& s, std::size_t cusp) {
-  const numeric::WorkingPrecision precision(s.certified->proof->bits);
+  const numeric::WorkingPrecision precision(s.shape_bits);
   const auto& shape = s.proved_shapes[cusp];
   return {interval(shape.real), interval(shape.imaginary)};
 }

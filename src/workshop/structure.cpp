@@ -188,6 +188,20 @@ hyperbolic::Search solve(const Triangulation& tri, const StructureOptions& optio
   return found;
 }
 
+/// From lengths of more bits, since balls lose some thirty while a cusp is unrolled; where there are none,
+/// from the certified lengths.
+void prove_shapes(Structure& s, const Progress& progress) {
+  if (s.cusps.empty()) return;
+  constexpr int spare = 64;
+  const int bits = s.certified->proof->bits + spare;
+  const Triangulation& tri = s.search.triangulation;
+  const auto finer = verified::certify(tri, s.skeleton, s.search.structure, {bits, bits, false}, progress);
+  s.shape_bits = finer.proof ? bits : s.certified->proof->bits;
+  const numeric::WorkingPrecision precision(s.shape_bits);
+  s.proved_shapes = hyperbolic::cusp_shapes(tri, s.skeleton,
+                                            finer.proof ? finer.proof->lengths : s.certified->proof->lengths);
+}
+
 void certify(Structure& s, const Progress& progress) {
   const Triangulation& tri = s.search.triangulation;
   const auto& structure = s.search.structure;
@@ -195,8 +209,7 @@ void certify(Structure& s, const Progress& progress) {
                              : verified::certify(tri, s.skeleton, structure, {}, progress);
   if (!is_certified(s)) return;
   s.certificate = verified::certificate(tri, s.skeleton, *s.certified->proof);
-  const numeric::WorkingPrecision precision(s.certified->proof->bits);
-  s.proved_shapes = hyperbolic::cusp_shapes(tri, s.skeleton, s.certified->proof->lengths);
+  prove_shapes(s, progress);
 }
 
 void add_certified(const Structure& s, Rows& rows) {

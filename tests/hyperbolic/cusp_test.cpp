@@ -28,6 +28,12 @@ std::vector<Cusp> cusps_of(const std::string& name) {
   return cusps_of(from_signature(name));
 }
 
+Triangulation mirror_image(const Triangulation& tri) {
+  std::vector<int> image;
+  for (int t = 0; t < tri.size(); ++t) image.push_back(t);
+  return relabelled(tri, image, std::vector<Perm4>(image.size(), Perm4::swap(0, 1)));
+}
+
 double distance(std::complex<double> a, std::complex<double> b) {
   return std::abs(a - b);
 }
@@ -83,11 +89,21 @@ TEST_CASE("a shape does not depend on the horosphere; mirrored, it is minus its 
   CHECK(distance(before.shape, after.shape) < 1e-12);
   CHECK(after.area == Approx(before.area * std::exp(-0.6)).epsilon(1e-12));
 
-  std::vector<int> image;
-  for (int t = 0; t < tri.size(); ++t) image.push_back(t);
-  const Triangulation mirrored = relabelled(tri, image, std::vector<Perm4>(image.size(), Perm4::swap(0, 1)));
-  const Cusp seen = cusps_of(mirrored).at(0);
+  const Cusp seen = cusps_of(mirror_image(tri)).at(0);
   CHECK(distance(seen.shape, -std::conj(before.shape)) < 1e-12);
+}
+
+TEST_CASE("on the rim, where both translations are equally long, the real part is not negative",
+          "[hyperbolic]") {
+  // m207 has (1 + 4 sqrt(3) i) / 7, of absolute value 1: so say the gluing equations of SnapPea's kernel
+  // (tests/oracle/record_cusp_shapes.py), up to -1 / shape. Mirrored, the other translation comes first.
+  const Triangulation tri = from_signature("eLMkbcdddhxqlm");
+  const std::complex<double> known{1 / 7.0, 4 * std::sqrt(3.0) / 7};
+  for (const Triangulation& given : {tri, mirror_image(tri)}) {
+    const std::vector<Cusp> found = cusps_of(given);
+    REQUIRE(found.size() == 1);
+    CHECK(distance(found[0].shape, known) < 1e-12);
+  }
 }
 
 TEST_CASE("shapes survive other triangulations", "[hyperbolic]") {

@@ -122,6 +122,13 @@ class Hyperbolize(unittest.TestCase):
         closed = run_json("hyperbolize", "cPcbbbihq")[1]
         self.assertEqual((closed["cusps"], closed["into_cusps"]), ([], []))
 
+    def test_certified_shapes_of_cusps_are_enclosed_to_many_digits(self):
+        for name, real, square in (("m129", 0, 4), ("m004", 0, 12), ("m003", Fraction(1, 2), Fraction(3, 4))):
+            for cusp in run_json("hyperbolize", name, "--certify")[1]["cusps"]:
+                (a, b), (c, d) = ([Fraction(end) for end in ends] for ends in cusp["shape_interval"])
+                self.assertTrue(a <= real <= b and c * c <= square <= d * d, (name, cusp))
+                self.assertLess(max(b - a, d - c), 1e-25)
+
     def test_false_convergence_is_not_found(self):
         status, found = run_json("hyperbolize", "dLQacccjcog", "--as-given")
         self.assertEqual((status, found["outcome"]), (4, "not found"))

@@ -54,8 +54,9 @@ struct CuspShape {
 
 /// The shapes alone, in the same order; in balls they are proved if the lengths hold those of a structure.
 /// The translations a and b span the lattice for sure. That they are the shortest is decided in doubles:
-/// where two choices are equally good to ten digits the shape may be that of the other one. For double and
-/// balls; O(n log n).
+/// where two choices are equally good to ten digits the shape may be that of the other one. Balls grow while
+/// triangles are unrolled: for up to seven tetrahedra 13 to 32 bits are lost. For double and balls; O(n log
+/// n).
 template <class Scalar>
 std::vector<CuspShape<Scalar>> cusp_shapes(const Triangulation& tri, const Skeleton& skeleton,
                                            const Metric<Scalar>& lengths);

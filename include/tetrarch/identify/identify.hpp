@@ -44,7 +44,9 @@ struct Identification {
   std::optional<catalogue::Manifold> manifold; ///< the table's entry, where the name is a table's
   std::string isometry_signature;              ///< empty without a structure
   std::optional<double> volume;                ///< nothing without a structure
-  /// The cells that name the manifold rest on 60-digit numbers that are zero without proof.
+  /// Some cells that name the manifold are no tetrahedra, and rest on 60-digit numbers that are zero without
+  /// proof (catalogue/prove.hpp). A name that was found is right even so, since it rests on an isomorphism of
+  /// triangulations; that no table holds the manifold is in doubt.
   bool confirmed_only = false;
   /// The triangulation that carries the structure; without a structure, the simplified input.
   Triangulation triangulation;
@@ -60,8 +62,9 @@ std::string to_string(Identification::By by);
 /// If there are other boundary components and a hyperbolic structure decides, boundary spheres count as
 /// filled in with balls (`tried` says so). `recognise` takes the triangulation as it is. Throws
 /// PreconditionError for an empty or invalid triangulation and for one that is not connected. Near-linear: 3
-/// to 9 microseconds per tetrahedron, measured up to 770,000; 0.1 to 0.2 s more where there is no structure.
-/// Deterministic for `options.seed`. May be called from several threads.
+/// to 9 microseconds per tetrahedron, measured up to 770,000; 0.1 to 0.2 s more where there is no structure,
+/// and what `prove_cells` takes where cells are flat. Deterministic for `options.seed`. May be called from
+/// several threads.
 [[nodiscard]] Identification identify(const Triangulation& tri, const IdentifyOptions& options = {},
                                       const Progress& progress = {});
 

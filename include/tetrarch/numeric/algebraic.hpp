@@ -69,9 +69,10 @@ struct Recognized {
   std::vector<Algebraic> numbers; ///< in the order of the balls
 };
 
-/// A field of at most this degree that seems to hold all of the numbers, given by balls of `most_degree`
-/// times 100 bits or more. Nothing where none is seen. `still_wanted` is called now and then, and may throw
-/// to end the search. O(d^4) for each number, some 50 ms for degree 16.
+/// A field of at most this degree that seems to hold all of the numbers, given by balls of radius
+/// 2^-(100 (most_degree + 1)) or less, in a working precision that keeps powers of the numbers so. Nothing
+/// where none is seen. `still_wanted` is called before each lattice reduction, and may throw to end the
+/// search; one takes 0.1 s for degree 16. O(d^4) for each number.
 std::optional<Recognized> recognize(const std::vector<Ball>& numbers, int most_degree,
                                     const std::function<void()>& still_wanted = {});
 

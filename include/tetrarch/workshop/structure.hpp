@@ -50,6 +50,7 @@ struct Structure {
   std::optional<reasons::Reason> why{};
   /// Of a certified structure, in the order of `cusps`.
   std::vector<hyperbolic::CuspShape<numeric::Ball>> proved_shapes{};
+  int shape_bits = 0; ///< of their arithmetic
 
   /// Yes, of one that was to be certified, only if it was. Undecided where tetrahedra are turned over.
   Verdict verdict() const;
