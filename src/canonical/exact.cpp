@@ -42,9 +42,10 @@ std::vector<TetFace> first_sides(const Triangulation& tri) {
 /// Inner products that were guessed, and the proof that they are those of the hyperbolic structure.
 class ExactStructure {
 public:
-  ExactStructure(const Triangulation& tri, const Skeleton& skeleton)
-      : tri_(tri), skeleton_(skeleton), types_(hyperbolic::vertex_types(skeleton)),
-        across_(static_cast<std::size_t>(tri.size())) {}
+  ExactStructure(const Triangulation& tri, const Skeleton& skeleton,
+                 const std::function<void()>& still_wanted)
+      : tri_(tri), skeleton_(skeleton), still_wanted_(still_wanted),
+        types_(hyperbolic::vertex_types(skeleton)), across_(static_cast<std::size_t>(tri.size())) {}
 
   /// Whether the numbers, taken for what `products_to_guess` lists, make a structure.
   bool is_made_of(const std::vector<Algebraic>& numbers) {
@@ -59,6 +60,10 @@ public:
   }
 
 private:
+  void ask() const {
+    if (still_wanted_) still_wanted_();
+  }
+
   void fill_gram(const std::vector<Algebraic>& numbers) {
     gram_.resize(static_cast<std::size_t>(tri_.size()));
     for (int t = 0; t < tri_.size(); ++t)
@@ -97,6 +102,7 @@ private:
   bool place_neighbors(const std::vector<Algebraic>& numbers) {
     std::size_t next = static_cast<std::size_t>(skeleton_.edge_count());
     for (const TetFace f : first_sides(tri_)) {
+      ask();
       const Gluing g = tri_.gluing(f);
       const TetFace there{g.tet, g.perm[f.face]};
       const Algebraic& far = numbers[next++];
@@ -142,6 +148,7 @@ private:
   /// Tetrahedra laid out around an edge come back to the first one: the angle is a multiple of 2 pi.
   bool closes_around_edges() const {
     for (const EdgeId e : all<EdgeId>(skeleton_.edge_count())) {
+      ask();
       const auto& around = skeleton_.around(e);
       for (int v = 0; v < 4; ++v) {
         Vector start;
@@ -192,6 +199,7 @@ private:
 
   const Triangulation& tri_;
   const Skeleton& skeleton_;
+  const std::function<void()>& still_wanted_;
   Table<VertexId, VertexType> types_;
   std::vector<Gram<Algebraic>> gram_;
   std::vector<std::array<Vector, 4>> across_; ///< of each face
@@ -219,9 +227,10 @@ std::vector<Ball> products_to_guess(const Decorated<Ball>& m, const Skeleton& sk
 }
 
 bool are_of_flat_structure(const Triangulation& tri, const Skeleton& skeleton, const FlatFaces& flat,
-                           const std::vector<Algebraic>& products) {
+                           const std::vector<Algebraic>& products,
+                           const std::function<void()>& still_wanted) {
   const numeric::WorkingPrecision enough(bits_to_compare);
-  ExactStructure exact(tri, skeleton);
+  ExactStructure exact(tri, skeleton, still_wanted);
   if (!exact.is_made_of(products)) return false;
   for (int t = 0; t < tri.size(); ++t)
     for (int f = 0; f < 4; ++f)
@@ -249,7 +258,7 @@ std::optional<std::string> prove_flat_exactly(const Triangulation& tri, const Sk
     for (int f = 0; f < 4; ++f)
       if (flat[t][f] && abs(look_across(m, {t, f}).tilt) > 0) return std::nullopt;
   const auto seen = numeric::recognize(products_to_guess(m, skeleton), most_degree, still_wanted);
-  if (!seen || !are_of_flat_structure(tri, skeleton, flat, seen->numbers)) return std::nullopt;
+  if (!seen || !are_of_flat_structure(tri, skeleton, flat, seen->numbers, still_wanted)) return std::nullopt;
   return seen->polynomial;
 }
 

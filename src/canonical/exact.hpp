@@ -26,8 +26,10 @@ std::optional<std::string> prove_flat_exactly(const Triangulation& tri, const Sk
 std::vector<numeric::Ball> products_to_guess(const Decorated<numeric::Ball>& m, const Skeleton& skeleton);
 
 /// What is proved: these numbers, taken for what `products_to_guess` lists, make the hyperbolic structure
-/// with cusps of one area, in which all faces marked `flat` are so.
+/// with cusps of one area, in which all faces marked `flat` are so. O(n) products in the field;
+/// `still_wanted` is called for each face and each edge.
 bool are_of_flat_structure(const Triangulation& tri, const Skeleton& skeleton, const FlatFaces& flat,
-                           const std::vector<numeric::Algebraic>& products);
+                           const std::vector<numeric::Algebraic>& products,
+                           const std::function<void()>& still_wanted = {});
 
 } // namespace tetrarch::canonical

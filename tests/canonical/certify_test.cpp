@@ -64,6 +64,16 @@ TEST_CASE("flat cells that no symmetry explains are proved by exact algebra", "[
   }
 }
 
+TEST_CASE("a cover is proved in the same field", "[canonical]") {
+  // A double cyclic cover of the first of the above: its cells are theirs, twice.
+  const Canonical c = proved("kLLLMwQkcdffhgjhijjikuukjikawn");
+  CHECK(c.proof.certified);
+  CHECK(std::count(c.cells.begin(), c.cells.end(), "octahedron") == 2);
+  CHECK(std::count(c.cells.begin(), c.cells.end(), "tetrahedron") == 2);
+  CHECK(std::count(c.proof.criteria.begin(), c.proof.criteria.end(), Criterion::exact) == 2);
+  CHECK(c.proof.field.find("x^5") != std::string::npos);
+}
+
 TEST_CASE("a face that is not flat is never proved flat", "[canonical]") {
   int tried = 0;
   for (const catalogue::Manifold& m : catalogue::stored_table(3)) {

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <catch2/catch.hpp>
+#include <stdexcept>
 
 using namespace tetrarch;
 using namespace tetrarch::canonical;
@@ -151,5 +152,19 @@ TEST_CASE("cusps must have one area", "[canonical]") {
     CHECK_FALSE(is_proved(tri, guessed(m, skeleton)));
     double_vectors(m, skeleton, VertexId(1));
     CHECK(is_proved(tri, guessed(m, skeleton)));
+  }
+}
+
+TEST_CASE("an exact proof can be ended at each face and each edge", "[canonical]") {
+  const numeric::WorkingPrecision precise(bits_of_guess);
+  const Triangulation tri = with_one_edge(2);
+  const Skeleton skeleton(tri);
+  const std::vector<Algebraic> right = guessed(regular(tri, (3 + sqrt(Ball(3))) / 4), skeleton);
+  for (int last = 1; last <= 4 + 1; ++last) {
+    int asked = 0;
+    const auto stop = [&] {
+      if (++asked == last) throw std::runtime_error("enough");
+    };
+    CHECK_THROWS_WITH(are_of_flat_structure(tri, skeleton, none_flat(tri), right, stop), "enough");
   }
 }
