@@ -467,7 +467,7 @@ class Errors(unittest.TestCase):
     def test_passed_over_is_a_warning(self):
         with warnings.catch_warnings(record=True) as caught:
             warnings.simplefilter("always")
-            tt.Manifold("m004(1,2)")
+            tt.Triangulation("m004(1,2)")
         self.assertTrue(issubclass(caught[0].category, tt.TetrarchWarning))
         self.assertEqual(caught[0].filename, __file__)
 
