@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <lzma.h>
 #include <memory>
+#include <new>
 #include <string_view>
 
 namespace tetrarch::format {
@@ -46,6 +47,19 @@ std::string unpacked(std::string bytes, const std::string& source, std::size_t l
   // NOLINTEND(cppcoreguidelines-pro-type-reinterpret-cast)
   if (code != LZMA_STREAM_END) throw InputError({source, 0}, "this xz file is damaged, or it ends too early");
   return text;
+}
+
+std::string packed(std::string_view bytes) {
+  std::string result(::lzma_stream_buffer_bound(bytes.size()), '\0');
+  std::size_t size = 0;
+  // NOLINTBEGIN(cppcoreguidelines-pro-type-reinterpret-cast)
+  const lzma_ret code = ::lzma_easy_buffer_encode(
+      LZMA_PRESET_DEFAULT, LZMA_CHECK_CRC64, nullptr, reinterpret_cast<const std::uint8_t*>(bytes.data()),
+      bytes.size(), reinterpret_cast<std::uint8_t*>(result.data()), &size, result.size());
+  // NOLINTEND(cppcoreguidelines-pro-type-reinterpret-cast)
+  if (code != LZMA_OK) throw std::bad_alloc();
+  result.resize(size);
+  return result;
 }
 
 } // namespace tetrarch::format

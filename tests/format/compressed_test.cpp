@@ -24,7 +24,7 @@ constexpr std::array<unsigned char, 104> packed_bytes{
     0xf0, 0x4b, 0x81, 0xc7, 0x9c, 0x6c, 0xef, 0xd4, 0x00, 0x00, 0x00, 0x00, 0x01, 0xfa, 0x70,
     0x0f, 0x18, 0x12, 0x33, 0x09, 0x00, 0x01, 0x42, 0x90, 0x1c, 0x00, 0x00, 0x00, 0x8d, 0xb0,
     0x0c, 0x4a, 0xb1, 0xc4, 0x67, 0xfb, 0x02, 0x00, 0x00, 0x00, 0x00, 0x04, 0x59, 0x5a};
-const std::string packed(packed_bytes.begin(), packed_bytes.end());
+const std::string three_hundred(packed_bytes.begin(), packed_bytes.end());
 
 std::string repeated(int count) {
   std::string text;
@@ -35,22 +35,34 @@ std::string repeated(int count) {
 } // namespace
 
 TEST_CASE("what xz packed is unpacked, and all else stays as it is", "[format]") {
-  CHECK(unpacked(packed, "x") == repeated(300));
-  CHECK(unpacked(packed + packed, "x") == repeated(600)); // as xz -d does
-  for (const std::string& other : {std::string(), std::string("text"), packed.substr(1)})
+  CHECK(unpacked(three_hundred, "x") == repeated(300));
+  CHECK(unpacked(three_hundred + three_hundred, "x") == repeated(600)); // as xz -d does
+  for (const std::string& other : {std::string(), std::string("text"), three_hundred.substr(1)})
     CHECK(unpacked(other, "x") == other);
 }
 
 TEST_CASE("damaged or endless packed files are refused", "[format]") {
-  for (std::size_t length = 6; length < packed.size(); ++length)
-    CHECK_THROWS_WITH(unpacked(packed.substr(0, length), "x.xz"), Catch::Contains("x.xz"));
-  for (std::size_t at = 6; at < packed.size(); ++at) {
-    std::string damaged = packed;
+  for (std::size_t length = 6; length < three_hundred.size(); ++length)
+    CHECK_THROWS_WITH(unpacked(three_hundred.substr(0, length), "x.xz"), Catch::Contains("x.xz"));
+  for (std::size_t at = 6; at < three_hundred.size(); ++at) {
+    std::string damaged = three_hundred;
     damaged[at] = static_cast<char>(damaged[at] ^ 1);
     CHECK_THROWS_AS(unpacked(damaged, "x"), InputError);
   }
-  CHECK_THROWS_WITH(unpacked(packed, "x", 3599), Catch::Contains("more than 3599 bytes"));
-  CHECK(unpacked(packed, "x", 3600).size() == 3600);
+  CHECK_THROWS_WITH(unpacked(three_hundred, "x", 3599), Catch::Contains("more than 3599 bytes"));
+  CHECK(unpacked(three_hundred, "x", 3600).size() == 3600);
+}
+
+TEST_CASE("what is packed is unpacked again, and smaller where it repeats itself", "[format]") {
+  std::string text;
+  for (int k = 0; k < 20'000; ++k) text += "line " + std::to_string(k % 7) + "\n";
+  for (const std::string& bytes : {std::string(), std::string("\0\xFF", 2), text}) {
+    const std::string small = tetrarch::format::packed(bytes);
+    CHECK(small.starts_with("\xFD"
+                            "7zXZ"));
+    CHECK(unpacked(small, "x") == bytes);
+  }
+  CHECK(tetrarch::format::packed(text).size() < text.size() / 100);
 }
 
 TEST_CASE("a file that grows is there at the end or not at all", "[format]") {
