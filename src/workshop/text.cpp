@@ -43,6 +43,15 @@ std::string rounded(double x) {
   return {digits.data(), end.ptr};
 }
 
+std::string in_bytes(double bytes) {
+  constexpr std::array<std::pair<double, const char*>, 4> units{
+      {{1e9, " GB"}, {1e6, " MB"}, {1e3, " kB"}, {1, " bytes"}}};
+  const auto* const unit =
+      std::find_if(units.begin(), units.end() - 1, [bytes](const auto& u) { return bytes >= u.first; });
+  const double number = bytes / unit->first;
+  return fixed(number, unit->first > 1 && number < 10 ? 1 : 0) + unit->second;
+}
+
 std::string joined(const std::vector<std::string>& items, const std::string& separator) {
   std::string text;
   for (std::size_t k = 0; k < items.size(); ++k) text += (k > 0 ? separator : "") + items[k];

@@ -246,7 +246,7 @@ class Bounds(Refusals):
         big = self.path("rings.sig", "cPcbbbihq\n" * 400_000)
         complaint = self.refused("info", big + "#1", "--memory", "0.01")
         self.assertIn("out of memory", complaint)
-        self.assertIn("0.0 GB allowed (--memory)", complaint)
+        self.assertIn(" 10 MB allowed (--memory)", complaint)
         self.assertEqual(run("info", "cPcbbbihq", "--memory", "0.01").returncode, 0)
 
     @unittest.skipIf(INSTRUMENTED, "the program does not start there")

@@ -11,14 +11,6 @@
 #include <limits>
 
 namespace tetrarch::program {
-namespace {
-
-std::string in_gigabytes(double bytes) {
-  return fixed(bytes / 1e9, bytes < 1e10 ? 1 : 0) + " GB";
-}
-
-} // namespace
-
 PlacedInput placed(const std::string& input, double cusp_area, const Context& context) {
   if (!(cusp_area > 0)) throw InputError("--cusp-area " + fixed(cusp_area, 3) + ": expected a positive area");
   format::Document document = read_triangulation(input, context);
@@ -36,8 +28,8 @@ PlacedInput placed(const std::string& input, double cusp_area, const Context& co
 void require_memory(const std::string& what, double bytes, double gigabytes) {
   if (!(gigabytes > 0)) throw InputError("--memory: expected a positive number of gigabytes");
   if (bytes > 1e9 * gigabytes)
-    throw InputError(what + ": about " + in_gigabytes(bytes) + " would be needed, and " +
-                     in_gigabytes(1e9 * gigabytes) + " are allowed (--memory)");
+    throw InputError(what + ": about " + in_bytes(bytes) + " would be needed, and " +
+                     in_bytes(1e9 * gigabytes) + " are allowed (--memory)");
 }
 
 embed::PieceBounds allowed_bounds(const embed::PieceBounds& wanted, double gigabytes) {
@@ -55,7 +47,7 @@ void require_complete(const embed::Piece& piece, const embed::PieceBounds& wante
   if (wanted.copies > 0 || piece.complete) return;
   throw InputError(std::string(wanted.radius > 0 ? "--radius" : "--word-length") + ": more than " +
                    std::to_string(piece.copies.size()) + " copies, which do not fit into the " +
-                   in_gigabytes(1e9 * gigabytes) + " allowed (--memory)");
+                   in_bytes(1e9 * gigabytes) + " allowed (--memory)");
 }
 
 } // namespace tetrarch::program

@@ -172,8 +172,8 @@ JobOutcome run_job(const Job& job, const Values* values, const std::string& spea
     return failed(e.what(), Status::bad_input, code_of(Cause::memory));
   } catch (const std::bad_alloc&) {
     bar.clear();
-    return failed("out of memory: the job takes more than there is, or than the " + fixed(most_memory, 1) +
-                      " GB allowed (--memory)",
+    return failed("out of memory: the job takes more than there is, or than the " +
+                      in_bytes(1e9 * most_memory) + " allowed (--memory)",
                   Status::bad_input, code_of(Cause::memory));
   } catch (const std::system_error& e) { // the file system is not what the job took it for
     bar.clear();

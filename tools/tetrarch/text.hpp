@@ -10,6 +10,7 @@ namespace tetrarch::program {
 using workshop::block;
 using workshop::counted;
 using workshop::fixed;
+using workshop::in_bytes;
 using workshop::joined;
 using workshop::rounded;
 using workshop::scientific;

@@ -21,6 +21,9 @@ std::string scientific(double x, int decimals);
 /// x with six digits, as short as that can be said.
 std::string rounded(double x);
 
+/// "4.0 GB", "12 GB", "350 MB": in the greatest unit of which there is one.
+std::string in_bytes(double bytes);
+
 /// Items joined by a separator.
 std::string joined(const std::vector<std::string>& items, const std::string& separator);
 
