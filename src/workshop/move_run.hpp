@@ -5,6 +5,7 @@
 
 #include "tetrarch/workshop/simplify.hpp"
 
+#include <array>
 #include <chrono>
 
 namespace tetrarch::workshop {
@@ -20,6 +21,15 @@ auto timed(Simplification& result, Work work) {
   auto made = work();
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return made;
+}
+
+/// What each of them says besides what came out.
+template <class Result>
+std::array<Field<Result>, 2> fields_of_run() {
+  return {{{{"input_tetrahedra", "", "number of tetrahedra of the input"},
+            [](const Result& r) -> Tree { return r.input_tetrahedra; }},
+           {{"seconds", "seconds", "time that the moves took"},
+            [](const Result& r) -> Tree { return r.seconds; }}}};
 }
 
 } // namespace tetrarch::workshop

@@ -58,11 +58,8 @@ Rows rows_of(const Simplification& found, const std::string& signature) {
 
 template <>
 const FieldList<Simplification>& fields_of<Simplification>() {
-  using S = const Simplification&;
-  static const FieldList<Simplification> fields{
-      {{"input_tetrahedra", "", "number of tetrahedra of the input"},
-       [](S s) -> Tree { return s.input_tetrahedra; }},
-      {{"seconds", "seconds", "time that the moves took"}, [](S s) -> Tree { return s.seconds; }}};
+  static const auto run = fields_of_run<Simplification>();
+  static const FieldList<Simplification> fields(run.begin(), run.end());
   return fields;
 }
 

@@ -74,6 +74,7 @@ Rows rows_of(const Truncation& found, const std::string& signature) {
 template <>
 const FieldList<Truncation>& fields_of<Truncation>() {
   using T = const Truncation&;
+  static const auto run = fields_of_run<Truncation>();
   static const FieldList<Truncation> fields{
       {{"boundary_map", "",
         "of each component of the input's boundary: input_component, type, triangles, and the vertex that is "
@@ -82,9 +83,8 @@ const FieldList<Truncation>& fields_of<Truncation>() {
       {{"finite_vertices", "", "number of vertices that are not to be truncated"},
        [](T t) -> Tree { return t.finite_vertices; }},
       {{"steps", "", "name, tetrahedra, vertices and edges after each step of the conversion"}, steps_tree},
-      {{"input_tetrahedra", "", "number of tetrahedra of the input"},
-       [](T t) -> Tree { return t.input_tetrahedra; }},
-      {{"seconds", "seconds", "time that the moves took"}, [](T t) -> Tree { return t.seconds; }}};
+      run[0],
+      run[1]};
   return fields;
 }
 
