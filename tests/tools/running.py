@@ -31,12 +31,17 @@ def run_json(*arguments):
     return done.returncode, json.loads(done.stdout)
 
 
+def seconds_of_children():
+    """Processor seconds of all runs until now."""
+    used = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return used.ru_utime + used.ru_stime
+
+
 def seconds_of_work(*arguments):
     """What a run gave, and its processor seconds."""
-    before = resource.getrusage(resource.RUSAGE_CHILDREN)
+    before = seconds_of_children()
     done = run(*arguments)
-    after = resource.getrusage(resource.RUSAGE_CHILDREN)
-    return done, after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
+    return done, seconds_of_children() - before
 
 
 def wait_until_it_listens(job):
