@@ -55,6 +55,33 @@ class CommonOptions(Options):
         self.assertTrue(fields[0] != fields[2] or fields[0] != fields[3])
 
 
+class Outputs(Options):
+    # What writes lines for people or for itself takes any name: these options, and the outputs of these commands.
+    ANY_NAME = {"--moves", "--history", "census gluings", "census table", "diagram"}
+    INPUTS = {"--boundary", "--field-file", "--log", "--table", "--values"}
+
+    def test_they_are_tried_before_anything_is_read(self):
+        seen = set()
+        for command in json.loads(run("help", "--json").stdout)["commands"]:
+            words = command["name"].split()
+            required = ["none"] * sum(1 for argument in command["arguments"] if argument["required"])
+            for option in command["options"]:
+                required += [option["names"][-1], "2"] if option["required"] and option["value"] != "FILE" else []
+            for option in command["options"]:
+                name = option["names"][-1]
+                if option["value"] != "FILE" or name in self.INPUTS:
+                    continue
+                needs = ["--method", "flow"] if name == "--history" else ["info"] if words == ["move"] else []
+                bad = ["no/such/folder.json"] + ([] if self.ANY_NAME & {name, command["name"]} else ["x.nothing"])
+                for path in bad:
+                    done = run(*words, *required, *needs, name, path)
+                    self.assertEqual((done.returncode, done.stderr.count("\n")), (2, 1), (words, name, path))
+                    self.assertIn(path, done.stderr, (words, name))
+                seen.add(command["name"])
+        self.assertGreater(len(seen), 20)
+        self.assertIn("hex", seen)
+
+
 class Triangulations(Options):
     def test_a_presentation_as_it_is_read_off(self):
         # One generator for each face outside a spanning tree, one relator for each edge: 4 - 1 and 1.

@@ -43,10 +43,7 @@ void require_outputs(const BundleArguments& options) {
       throw InputError({path, 0}, "this command writes no file with this extension (expected .json, .tri, "
                                   ".sig, .txt or .fmp; .vtu, .glb, .ply, .obj or .svg)");
   }
-  if (options.obstruction.empty()) return;
-  require_folder(options.obstruction);
-  if (!format::mesh_format_for_extension(options.obstruction))
-    throw InputError({options.obstruction, 0}, "no mesh format has this extension");
+  if (!options.obstruction.empty()) mesh_output_format(options.obstruction);
 }
 
 /// Options that this surface gives nothing to do.
@@ -130,8 +127,7 @@ void add_outputs(Result& result, const workshop::SurfaceBundle::Made& made, cons
 void add_obstruction(Result& result, const workshop::SurfaceBundle& found, const std::string& path) {
   if (path.empty()) return;
   if (found.obstruction)
-    result.files.push_back(
-        {path, format::write_soup(found.obstruction->mesh, *format::mesh_format_for_extension(path))});
+    result.files.push_back({path, format::write_soup(found.obstruction->mesh, mesh_output_format(path))});
   else
     result.warnings.push_back("there is no obstruction: " + in_quotes(path) + " was not written");
 }

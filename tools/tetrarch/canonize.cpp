@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "command.hpp"
 #include "input.hpp"
+#include "output.hpp"
 #include "samples.hpp"
 #include "text.hpp"
 
@@ -24,6 +25,7 @@ struct CanonizeArguments {
 Result canonize(const CanonizeArguments& options, const Context& context) {
   const std::string& input = options.input;
   const std::string& output = options.output;
+  require_extension(output, ".json");
   workshop::CanonicalOptions how = options.how;
   how.seed = context.seed;
   const format::Document document = read_triangulation(input, context);

@@ -2,12 +2,13 @@
 #include "command.hpp"
 #include "doctor.hpp"
 #include "input.hpp"
+#include "output.hpp"
 
-#include "tetrarch/core/error.hpp"
 #include "tetrarch/format/mesh_files.hpp"
 #include "tetrarch/workshop/check.hpp"
 
 #include <memory>
+#include <optional>
 
 namespace tetrarch::program {
 namespace {
@@ -19,16 +20,14 @@ struct CheckArguments {
 };
 
 Result check(const CheckArguments& options, const Context& context) {
+  std::optional<format::MeshFormat> format;
+  if (!options.output.empty()) format = mesh_output_format(options.output);
   workshop::Diagnosis found = workshop::check(read_soup(options.input, context), options.how);
   Result result;
   result.status = status_of(found.verdict());
   result.json = tree_of(found);
   result.text = text_of(found);
-  if (!options.output.empty()) {
-    const auto format = format::mesh_format_for_extension(options.output);
-    if (!format) throw InputError({options.output, 0}, "no mesh format has this extension");
-    result.files.push_back({options.output, format::write_soup(found.soup, *format)});
-  }
+  if (format) result.files.push_back({options.output, format::write_soup(found.soup, *format)});
   result.value = std::make_shared<Value>(format::mesh_document_of(std::move(found.soup)));
   return result;
 }

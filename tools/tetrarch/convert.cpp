@@ -39,9 +39,20 @@ bool holds_surfaces_only(format::MeshFormat format) {
          format == format::MeshFormat::stl || format == format::MeshFormat::ply;
 }
 
+/// Asked before anything is read.
+void require_target(const ConvertArguments& options) {
+  require_folder(options.output);
+  const std::string& path = options.output;
+  if (path.empty() || !options.to.empty() || format::mesh_format_for_extension(path) ||
+      format::format_for_extension(path))
+    return;
+  throw InputError({path, 0},
+                   "no format has this extension (expected of a triangulation: .json, .tri, .sig, .txt or "
+                   ".fmp; of a mesh also: .mesh, .meshb, .msh, .node, .vtk, .vtu, .obj, .off, .stl or .ply)");
+}
+
 /// From mesh to mesh, without asking whether it is good for anything: `check` does.
 Result convert_mesh(const ConvertArguments& options, format::MeshFormat to, const Context& context) {
-  require_folder(options.output);
   format::Soup soup = read_soup(options.input, context);
   Result result;
   result.warnings = mend(soup, options.doctor);
@@ -84,7 +95,6 @@ const format::MeshDocument* json_mesh(const ConvertArguments& options, const Val
 }
 
 Result convert_json_mesh(const ConvertArguments& options, const format::MeshDocument& mesh) {
-  require_folder(options.output);
   Result result;
   std::string text = write_mesh_json(mesh);
   if (options.output.empty()) {
@@ -99,15 +109,6 @@ Result convert_json_mesh(const ConvertArguments& options, const format::MeshDocu
                  {"warnings", result.warnings}};
   result.files.push_back({options.output, std::move(text)});
   return result;
-}
-
-/// Asked of meshes, before one is turned into a triangulation for nothing.
-void require_extension(const ConvertArguments& options) {
-  if (options.output.empty() || !options.to.empty() || format::format_for_extension(options.output)) return;
-  throw InputError({options.output, 0},
-                   "no format has this extension (expected of a mesh: .json, .mesh, .meshb, .msh, "
-                   ".node, .vtk, .vtu, .obj, .off, .stl or .ply; of the triangulation "
-                   "that it becomes: .json, .tri, .sig, .txt or .fmp)");
 }
 
 /// The value; of a mesh that is to stay one, mended.
@@ -126,6 +127,7 @@ ValuePointer mended_value(const ConvertArguments& options, const Context& contex
 }
 
 Result convert(const ConvertArguments& options, const Context& context) {
+  require_target(options);
   std::vector<std::string> mended;
   if (const auto to = format::mesh_format_for_extension(options.output); to && options.to.empty())
     return convert_mesh(options, *to, context);
@@ -136,7 +138,6 @@ Result convert(const ConvertArguments& options, const Context& context) {
     result.value = value;
     return result;
   }
-  if (std::holds_alternative<format::MeshDocument>(*value)) require_extension(options);
   const format::Document document = triangulation_of(options.input, *value, context);
   const format::FileFormat to = target(options);
   format::Written written = format::write_any(document, to);

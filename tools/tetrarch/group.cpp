@@ -47,7 +47,7 @@ std::vector<std::pair<std::string, std::string>> rows_of(const Json& group) {
 
 Result describe_groups(const std::string& input, bool as_given, const std::string& output,
                        const Context& context) {
-  require_folder(output);
+  require_extension(output, ".json");
   std::vector<LocatedGroup> groups = read_groups(input, context, as_given);
   if (groups.size() > 1 && !output.empty())
     throw InputError({input, 0}, "there are " + std::to_string(groups.size()) +

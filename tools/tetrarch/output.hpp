@@ -6,6 +6,7 @@
 #include "command.hpp"
 
 #include "tetrarch/format/document.hpp"
+#include "tetrarch/format/mesh_files.hpp"
 #include "tetrarch/format/read.hpp"
 
 #include <string>
@@ -16,9 +17,15 @@ namespace tetrarch::program {
 /// Asked before a long job rather than after it; an empty path is none.
 void require_folder(const std::string& path);
 
+/// The same for a command that writes one format alone: throws unless the file has its extension, ".json".
+void require_extension(const std::string& path, const std::string& extension);
+
 /// The format that the extension of an output file names. Throws InputError that lists what is known, or as
 /// above.
 format::FileFormat output_format(const std::string& path);
+
+/// The same for a mesh.
+format::MeshFormat mesh_output_format(const std::string& path);
 
 /// Adds the file to the result, and what its reader will miss to the warnings.
 void add_file(Result& result, const std::string& path, const format::Document& document);

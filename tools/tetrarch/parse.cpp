@@ -33,11 +33,13 @@ void check_range(CLI::Option& made, const Option& option) {
     made.check(CLI::Range(static_cast<int>(least), static_cast<int>(most)));
 }
 
-/// Tries the file of the option -o, before the job rather than after it.
+/// Tries the files of the option -o, before the job rather than after it.
 void require_output_folder(const OptionTable& options) {
   const Option* const output = options.find("--output");
   if (output == nullptr) return;
   if (const auto* const path = std::get_if<std::string*>(&output->target)) require_folder(**path);
+  if (const auto* const paths = std::get_if<std::vector<std::string>*>(&output->target))
+    for (const std::string& path : **paths) require_folder(path);
 }
 
 std::string spelled(const std::vector<std::string>& names) {

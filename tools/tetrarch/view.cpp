@@ -72,7 +72,7 @@ InfoTable angle_table(const Placement& e) {
 }
 
 Result run_view(const ViewArguments& options, const Context& context) {
-  require_folder(options.output);
+  require_extension(options.output, ".html");
   if (options.copies < 1)
     throw InputError("--copies " + std::to_string(options.copies) + ": expected at least 1");
   constexpr std::int64_t most_copies = 20'000; // what a browser turns smoothly
