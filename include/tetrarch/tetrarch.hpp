@@ -48,6 +48,7 @@
 #include "tetrarch/checker/check.hpp"
 #include "tetrarch/core/boundary.hpp"
 #include "tetrarch/core/check.hpp"
+#include "tetrarch/core/double_cover.hpp"
 #include "tetrarch/core/error.hpp"
 #include "tetrarch/core/ids.hpp"
 #include "tetrarch/core/isomorphism.hpp"

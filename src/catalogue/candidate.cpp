@@ -24,10 +24,13 @@ std::string digits(const Real50& x) {
 
 void describe_boundary(Manifold& m, const Skeleton& skeleton) {
   for (const VertexId v : all<VertexId>(skeleton.vertex_count())) {
-    if (skeleton.link(v).genus() == 1)
+    const SurfaceType& link = skeleton.link(v);
+    if (link.euler == 0) {
       ++m.cusps;
-    else
-      m.boundary.push_back(skeleton.link(v).genus());
+      m.klein_cusps += link.orientable ? 0 : 1;
+    } else {
+      m.boundary.push_back(link.orientable ? link.genus() : link.euler - 2);
+    }
   }
   std::sort(m.boundary.begin(), m.boundary.end(), std::greater<>());
 }
@@ -92,6 +95,7 @@ void complete(Candidate& candidate, const Triangulation& tri,
   else if (candidate.proofs.why_not.empty())
     candidate.proofs.why_not = "the cells are not proved: " + cells.proof.why_not;
   m.tetrahedra = tri.size();
+  m.orientable = skeleton.is_orientable();
   m.signature = signature(tri);
   if ((angles || m.volume.empty()) && !describe_structure(m, skeleton, structure)) {
     candidate.has_cells = false;

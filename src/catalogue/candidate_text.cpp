@@ -28,6 +28,7 @@ Json json_of(const Candidate& c) {
   if (!c.proofs.why_not.empty()) item["why_not"] = c.proofs.why_not;
   if (!c.has_cells) return item;
   item["tetrahedra"] = c.manifold.tetrahedra;
+  if (!c.manifold.orientable) item["orientable"] = false;
   item["manifold"] = Json::parse(json_text(c.manifold));
   return item;
 }
@@ -47,7 +48,9 @@ Candidate candidate_from(const Json& item) {
   c.proofs.cells = item.value("proved", "");
   c.proofs.why_not = item.value("why_not", "");
   c.has_cells = item.contains("manifold");
-  if (c.has_cells) c.manifold = read_manifold(item.at("manifold").dump(), item.at("tetrahedra"));
+  if (c.has_cells)
+    c.manifold = read_manifold(item.at("manifold").dump(),
+                               {item.at("tetrahedra").get<int>(), item.value("orientable", true)});
   return c;
 }
 

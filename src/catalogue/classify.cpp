@@ -21,25 +21,29 @@ namespace {
 using detail::Candidate;
 using Structure = Candidate::Structure;
 
-/// Link surfaces of genus 1 and more, as far as that many tetrahedra can reach: chi(boundary) = 2 (E - T) >=
-/// 2 (1 - T).
-enumeration::LinkSet qualifying_links(int tetrahedra) {
+/// Link surfaces without positive Euler characteristic, as far as that many tetrahedra can reach:
+/// chi(boundary) = 2 (E - T) >= 2 (1 - T).
+enumeration::LinkSet qualifying_links(TableKey table) {
   enumeration::LinkSet links;
-  for (int genus = 1; genus <= tetrahedra; ++genus) links.genera.push_back(genus);
+  for (int genus = 1; genus <= table.tetrahedra; ++genus) links.genera.push_back(genus);
+  if (!table.orientable)
+    for (int crosscaps = 2; crosscaps <= 2 * table.tetrahedra; ++crosscaps)
+      links.crosscaps.push_back(crosscaps);
   return links;
 }
 
 bool has_geodesic_boundary(const Skeleton& skeleton) {
   for (const VertexId v : all<VertexId>(skeleton.vertex_count()))
-    if (skeleton.link(v).genus() > 1) return true;
+    if (skeleton.link(v).euler < 0) return true;
   return false;
 }
 
-enumeration::GluingOptions qualifying_gluings(int tetrahedra) {
+enumeration::GluingOptions qualifying_gluings(TableKey table) {
+  using Orientability = enumeration::GluingOptions::Orientability;
   enumeration::GluingOptions options;
-  options.tetrahedra = tetrahedra;
-  options.orientability = enumeration::GluingOptions::Orientability::orientable;
-  options.links = qualifying_links(tetrahedra);
+  options.tetrahedra = table.tetrahedra;
+  options.orientability = table.orientable ? Orientability::orientable : Orientability::nonorientable;
+  options.links = qualifying_links(table);
   options.min_valence = 3; // fewer tetrahedra around an edge never close up to 2 pi
   return options;
 }
@@ -53,11 +57,13 @@ bool has(const Share& share, int k) {
 /// Units of one number of tetrahedra: done here, or taken from the records.
 class Workshop {
 public:
-  Workshop(int tetrahedra, const Progress& progress)
-      : tetrahedra_(tetrahedra), gluings_(qualifying_gluings(tetrahedra), progress) {}
+  Workshop(TableKey table, const Progress& progress)
+      : table_(table), gluings_(qualifying_gluings(table), progress) {}
 
   int size() const { return gluings_.size(); }
-  std::string key(int k) const { return std::to_string(tetrahedra_) + "." + std::to_string(k); }
+  std::string key(int k) const {
+    return (table_.orientable ? "" : "n") + std::to_string(table_.tetrahedra) + "." + std::to_string(k);
+  }
   static std::string second_key(const std::string& key) { return key + ".no"; }
 
   /// All candidates; of units that are not there, and not for this share to do, none. They are counted.
@@ -130,7 +136,7 @@ private:
     return made;
   }
 
-  int tetrahedra_;
+  TableKey table_;
   enumeration::GluingUnits gluings_;
 };
 
@@ -180,15 +186,16 @@ void sort_by_signature(std::vector<Unsettled>& list) {
 
 } // namespace
 
-Classification classify_manifolds(int tetrahedra, const WorkOptions& options, const Progress& progress) {
-  if (tetrahedra < 1) throw PreconditionError("a classification needs at least one tetrahedron");
+Classification classify_manifolds(TableKey table, const WorkOptions& options, const Progress& progress) {
+  if (table.tetrahedra < 1) throw PreconditionError("a classification needs at least one tetrahedron");
   Classification out;
   std::set<std::string> known;
-  for (int fewer = 1; fewer < tetrahedra; ++fewer)
-    for (const Candidate& c : Workshop(fewer, progress).candidates(options, out.missing_units, progress))
+  for (int fewer = 1; fewer < table.tetrahedra; ++fewer)
+    for (const Candidate& c :
+         Workshop({fewer, table.orientable}, progress).candidates(options, out.missing_units, progress))
       if (c.has_cells) known.insert(c.manifold.canonical_signature);
   const std::vector<Candidate> candidates =
-      Workshop(tetrahedra, progress).candidates(options, out.missing_units, progress);
+      Workshop(table, progress).candidates(options, out.missing_units, progress);
   std::map<std::string, int> reasons;
   for (const Candidate& c : candidates) count_candidate(c, out, reasons);
   out.tally.stuck = static_cast<int>(out.stuck.size());
@@ -204,16 +211,16 @@ Classification classify_manifolds(int tetrahedra, const WorkOptions& options, co
   }
   sort_by_volume(out.manifolds);
   for (std::size_t k = 0; k < out.manifolds.size(); ++k)
-    out.manifolds[k].name = name_prefix(tetrahedra) + std::to_string(k + 1);
+    out.manifolds[k].name = name_prefix(table) + std::to_string(k + 1);
   return out;
 }
 
 /// The long units come first, so that the short ones fill the end.
 struct ClassificationUnits::State {
-  State(int tetrahedra, bool with_angles, const Progress& progress) : angles(with_angles) {
-    for (int n = tetrahedra; n >= 1; --n) {
-      workshops.emplace_back(n, progress);
-      for (int k = 0; k < workshops.back().size(); ++k) units.emplace_back(tetrahedra - n, k);
+  State(TableKey table, bool with_angles, const Progress& progress) : angles(with_angles) {
+    for (int n = table.tetrahedra; n >= 1; --n) {
+      workshops.emplace_back(TableKey(n, table.orientable), progress);
+      for (int k = 0; k < workshops.back().size(); ++k) units.emplace_back(table.tetrahedra - n, k);
     }
   }
   bool angles;
@@ -221,9 +228,9 @@ struct ClassificationUnits::State {
   std::vector<std::pair<int, int>> units; ///< the workshop's number, and the unit's in it
 };
 
-ClassificationUnits::ClassificationUnits(int tetrahedra, bool angles, const Progress& progress) {
-  if (tetrahedra < 1) throw PreconditionError("a classification needs at least one tetrahedron");
-  state_ = std::make_unique<State>(tetrahedra, angles, progress);
+ClassificationUnits::ClassificationUnits(TableKey table, bool angles, const Progress& progress) {
+  if (table.tetrahedra < 1) throw PreconditionError("a classification needs at least one tetrahedron");
+  state_ = std::make_unique<State>(table, angles, progress);
 }
 
 ClassificationUnits::ClassificationUnits(ClassificationUnits&&) noexcept = default;
@@ -267,10 +274,10 @@ std::vector<std::pair<std::string, std::string>> ClassificationUnits::make(int k
   return made;
 }
 
-Classification classify_manifolds(int tetrahedra, int threads, const Progress& progress) {
+Classification classify_manifolds(TableKey table, int threads, const Progress& progress) {
   WorkOptions options;
   options.threads = threads;
-  return classify_manifolds(tetrahedra, options, progress);
+  return classify_manifolds(table, options, progress);
 }
 
 } // namespace tetrarch::catalogue

@@ -21,19 +21,20 @@ using detail::Connection;
 using detail::Statement;
 
 /// "TETR": what SQLite keeps of whose file it is; the second number is the version of the tables.
-constexpr const char* database_heading = "PRAGMA application_id = 1413829714; PRAGMA user_version = 1;";
+constexpr const char* database_heading = "PRAGMA application_id = 1413829714; PRAGMA user_version = 2;";
 constexpr int application = 1413829714;
 
 constexpr const char* columns =
     "name, tetrahedra, signature, volume, boundary, cusps, edges, homology, cells, "
-    "canonical_signature, symmetries";
+    "canonical_signature, symmetries, orientable, klein_cusps";
 
 constexpr const char* schema =
     "CREATE TABLE manifold (id INTEGER PRIMARY KEY, name TEXT, tetrahedra INTEGER NOT NULL, signature TEXT "
     "NOT "
     "NULL, volume TEXT NOT NULL, volume_value REAL NOT NULL, boundary TEXT NOT NULL, cusps INTEGER NOT NULL, "
     "edges INTEGER NOT NULL, homology TEXT NOT NULL, cells TEXT NOT NULL, canonical_signature TEXT NOT NULL, "
-    "symmetries INTEGER NOT NULL, symmetry_group TEXT, amphichiral INTEGER);";
+    "symmetries INTEGER NOT NULL, orientable INTEGER NOT NULL, klein_cusps INTEGER NOT NULL, symmetry_group "
+    "TEXT, amphichiral INTEGER);";
 /// After the rows: an index that is built at once is smaller, and built sooner.
 constexpr const char* indexes =
     "CREATE UNIQUE INDEX by_name ON manifold (name);"
@@ -77,6 +78,8 @@ Manifold manifold_in(const Statement& row) {
   m.cells = nlohmann::json::parse(row.text(8)).get<std::vector<std::string>>();
   m.canonical_signature = row.text(9);
   m.symmetries = static_cast<int>(row.number(10));
+  m.orientable = row.number(11) != 0;
+  m.klein_cusps = static_cast<int>(row.number(12));
   return m;
 }
 
@@ -92,6 +95,7 @@ public:
     if (wanted.boundary) add("boundary = ?");
     if (!homology_.empty()) add("homology = ?");
     if (wanted.cusps) add("cusps = ?");
+    if (wanted.orientable) add("orientable = ?");
   }
   const std::string& text() const { return text_; }
   void bind(Statement& statement) const {
@@ -102,6 +106,7 @@ public:
     if (wanted_.boundary) statement.bind(++at, boundary_);
     if (!homology_.empty()) statement.bind(++at, homology_);
     if (wanted_.cusps) statement.bind(++at, *wanted_.cusps);
+    if (wanted_.orientable) statement.bind(++at, static_cast<int>(*wanted_.orientable));
   }
 
 private:
@@ -130,6 +135,8 @@ void insert(Statement& row, const Manifold& m) {
   row.bind(++at, cells);
   row.bind(++at, m.canonical_signature);
   row.bind(++at, m.symmetries);
+  row.bind(++at, static_cast<int>(m.orientable));
+  row.bind(++at, m.klein_cusps);
   row.bind(++at, number_in(m.volume));
   ++at;
   if (!symmetry.group.empty()) row.bind(at, symmetry.group);
@@ -150,7 +157,7 @@ Connection open_ours(const std::string& path) {
   };
   if (number("PRAGMA application_id") != application)
     throw InputError({path, 0}, "this is no file of census tables");
-  if (number("PRAGMA user_version") != 1)
+  if (number("PRAGMA user_version") != 2)
     throw InputError({path, 0}, "this file of census tables is of another version");
   return connection;
 }
@@ -176,7 +183,8 @@ bool Wanted::fits(const Manifold& m) const {
   const double volume = number_in(m.volume);
   return (!tetrahedra || m.tetrahedra == *tetrahedra) && (!boundary || m.boundary == *boundary) &&
          volume >= least_volume && volume <= greatest_volume &&
-         (homology.empty() || m.homology == as_in_tables(homology)) && (!cusps || m.cusps == *cusps);
+         (homology.empty() || m.homology == as_in_tables(homology)) && (!cusps || m.cusps == *cusps) &&
+         (!orientable || m.orientable == *orientable);
 }
 
 struct Database::State {
@@ -230,10 +238,11 @@ void Database::visit(const Wanted& wanted, const std::function<void(const Manifo
   while (query.step()) visitor(manifold_in(query));
 }
 
-std::vector<int> Database::tables() const {
-  std::vector<int> found;
-  Statement query(state_->connection, "SELECT DISTINCT tetrahedra FROM manifold ORDER BY tetrahedra");
-  while (query.step()) found.push_back(static_cast<int>(query.number(0)));
+std::vector<TableKey> Database::tables() const {
+  std::vector<TableKey> found;
+  Statement query(state_->connection, "SELECT DISTINCT tetrahedra, orientable FROM manifold ORDER BY "
+                                      "orientable DESC, tetrahedra");
+  while (query.step()) found.emplace_back(static_cast<int>(query.number(0)), query.number(1) != 0);
   return found;
 }
 
@@ -245,7 +254,7 @@ std::string database_of(const std::vector<Manifold>& manifolds) {
   connection.run(schema);
   Statement row(connection, std::string("INSERT INTO manifold (") + columns +
                                 ", volume_value, symmetry_group, amphichiral) VALUES "
-                                "(?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
+                                "(?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
   for (const Manifold& m : manifolds) insert(row, m);
   connection.run(indexes);
   connection.run("COMMIT; ANALYZE;");

@@ -27,6 +27,8 @@ using Json = nlohmann::ordered_json;
 constexpr std::string_view format_tag = "tetrarch-census";
 constexpr std::string_view lines_tag = "tetrarch-census-lines";
 constexpr int format_version = 1;
+/// What the heading of a table has besides.
+constexpr std::string_view not_orientable = ",\n  \"orientable\": false";
 
 /// Volumes are known to 30 digits; different ones of few tetrahedra differ by 1e-6 and more.
 const Real50& equal_volumes() {
@@ -38,14 +40,16 @@ bool same_volume(const std::string& a, const std::string& b) {
   return abs(Real50(a) - Real50(b)) < equal_volumes();
 }
 
-Manifold from_json(const Json& j, int tetrahedra) {
+Manifold from_json(const Json& j, TableKey table) {
   Manifold m;
   m.name = j.value("name", "");
-  m.tetrahedra = tetrahedra;
+  m.tetrahedra = table.tetrahedra;
+  m.orientable = table.orientable;
   m.signature = j.at("signature");
   m.volume = j.at("volume");
   m.boundary = j.at("boundary").get<std::vector<int>>();
   m.cusps = j.at("cusps");
+  m.klein_cusps = j.value("klein_cusps", 0);
   m.edges = j.at("edges");
   m.homology = j.at("homology");
   m.cells = j.at("cells").get<std::vector<std::string>>();
@@ -53,9 +57,9 @@ Manifold from_json(const Json& j, int tetrahedra) {
   m.symmetries = j.at("symmetries");
   if (j.contains("dihedral_angles"))
     m.dihedral_angles = j.at("dihedral_angles").get<std::vector<std::array<std::string, 6>>>();
-  if (from_signature(m.signature).size() != tetrahedra ||
-      (!m.dihedral_angles.empty() && static_cast<int>(m.dihedral_angles.size()) != tetrahedra))
-    throw InputError("'" + m.signature + "' does not have " + std::to_string(tetrahedra) + " tetrahedra");
+  if (from_signature(m.signature).size() != m.tetrahedra ||
+      (!m.dihedral_angles.empty() && static_cast<int>(m.dihedral_angles.size()) != m.tetrahedra))
+    throw InputError("'" + m.signature + "' does not have " + std::to_string(m.tetrahedra) + " tetrahedra");
   return m;
 }
 
@@ -75,6 +79,7 @@ Json to_json(const Manifold& m) {
   j["volume"] = m.volume;
   j["boundary"] = m.boundary;
   j["cusps"] = m.cusps;
+  if (m.klein_cusps > 0) j["klein_cusps"] = m.klein_cusps;
   j["edges"] = m.edges;
   j["homology"] = m.homology;
   j["cells"] = m.cells;
@@ -84,11 +89,16 @@ Json to_json(const Manifold& m) {
   return j;
 }
 
+/// From the members of a table, or of the heading of one.
+TableKey key_in(const Json& j) {
+  return {j.at("tetrahedra").get<int>(), j.value("orientable", true)};
+}
+
 /// A table of lines, whose first one says what it is.
 std::vector<Manifold> read_lines(std::string_view text, const std::string& source) {
   std::vector<Manifold> manifolds;
   int number = 0;
-  int tetrahedra = 0;
+  TableKey table;
   for (std::size_t at = 0; at < text.size();) {
     const std::size_t end = std::min(text.find('\n', at), text.size());
     const std::string_view line = text.substr(at, end - at);
@@ -99,10 +109,10 @@ std::vector<Manifold> read_lines(std::string_view text, const std::string& sourc
         const Json heading = Json::parse(line);
         if (heading.at("version") != format_version)
           throw InputError("this is no census table of version " + std::to_string(format_version));
-        tetrahedra = heading.at("tetrahedra");
+        table = key_in(heading);
       } else {
-        manifolds.push_back(from_json(Json::parse(line), tetrahedra));
-        manifolds.back().name = name_prefix(tetrahedra) + std::to_string(number - 1);
+        manifolds.push_back(from_json(Json::parse(line), table));
+        manifolds.back().name = name_prefix(table) + std::to_string(number - 1);
       }
     } catch (const Json::exception& e) {
       throw InputError({source, number}, e.what());
@@ -130,7 +140,7 @@ std::string_view line_with(std::string_view table, const std::string& member) {
 
 /// A line of a compiled-in table.
 struct StoredLine {
-  int tetrahedra = 0;
+  TableKey table;
   std::string_view text;
 };
 using LinesBySignature = std::unordered_map<std::string_view, StoredLine>;
@@ -139,11 +149,11 @@ using LinesBySignature = std::unordered_map<std::string_view, StoredLine>;
 LinesBySignature index_stored_lines() {
   constexpr std::string_view member = "\"canonical_signature\":\"";
   LinesBySignature lines;
-  for (const int n : stored_tables()) {
-    const std::string_view table = stored_table_text(n);
+  for (const TableKey key : stored_tables()) {
+    const std::string_view table = stored_table_text(key);
     for (std::size_t at = table.find(member); at != std::string_view::npos; at = table.find(member, at)) {
       at += member.size();
-      lines.emplace(table.substr(at, table.find('"', at) - at), StoredLine{n, line_at(table, at)});
+      lines.emplace(table.substr(at, table.find('"', at) - at), StoredLine{key, line_at(table, at)});
     }
   }
   return lines;
@@ -155,9 +165,9 @@ std::string json_text(const Manifold& m) {
   return to_json(m).dump();
 }
 
-Manifold read_manifold(std::string_view text, int tetrahedra) {
+Manifold read_manifold(std::string_view text, TableKey table) {
   try {
-    return from_json(parse(text, "a manifold"), tetrahedra);
+    return from_json(parse(text, "a manifold"), table);
   } catch (const Json::exception& e) {
     throw InputError(std::string("this is no manifold of the census: ") + e.what());
   }
@@ -165,8 +175,14 @@ Manifold read_manifold(std::string_view text, int tetrahedra) {
 
 std::string Manifold::boundary_text() const {
   std::string text;
-  for (const int genus : boundary) text += (text.empty() ? "genus " : " + genus ") + std::to_string(genus);
-  if (cusps > 0) text += " + " + std::to_string(cusps) + (cusps == 1 ? " cusp" : " cusps");
+  const auto add = [&text](const std::string& part) { text += (text.empty() ? "" : " + ") + part; };
+  for (const int genus : boundary)
+    add(genus > 0 ? "genus " + std::to_string(genus) : std::to_string(-genus) + " crosscaps");
+  const auto add_cusps = [&add](int count, const char* what) {
+    if (count > 0) add(std::to_string(count) + what + (count == 1 ? "" : "s"));
+  };
+  add_cusps(cusps - klein_cusps, " cusp");
+  add_cusps(klein_cusps, " Klein bottle cusp");
   return text;
 }
 
@@ -212,23 +228,26 @@ std::vector<Manifold> without_angles(std::vector<Manifold> manifolds) {
   return manifolds;
 }
 
-std::string write_table(int tetrahedra, const std::vector<Manifold>& manifolds) {
+std::string write_table(TableKey table, const std::vector<Manifold>& manifolds) {
   std::string text = "{\n  \"format\": \"" + std::string(format_tag) +
                      "\",\n  \"version\": " + std::to_string(format_version) +
-                     ",\n  \"tetrahedra\": " + std::to_string(tetrahedra) + ",\n  \"manifolds\": [";
+                     ",\n  \"tetrahedra\": " + std::to_string(table.tetrahedra) +
+                     (table.orientable ? "" : std::string(not_orientable)) + ",\n  \"manifolds\": [";
   for (std::size_t k = 0; k < manifolds.size(); ++k)
     text += (k > 0 ? ",\n    " : "\n    ") + json_text(manifolds[k]);
   return text + "\n  ]\n}\n";
 }
 
-std::string name_prefix(int tetrahedra) {
+std::string name_prefix(TableKey table) {
   constexpr int largest_published = 4;
-  return (tetrahedra <= largest_published ? "fmp" : "tet") + std::to_string(tetrahedra) + "_";
+  const char* const family = table.tetrahedra <= largest_published ? "fmp" : "tet";
+  return (table.orientable ? family : "tetn") + std::to_string(table.tetrahedra) + "_";
 }
 
-std::string write_table_lines(int tetrahedra, const std::vector<Manifold>& manifolds) {
-  std::string text =
-      Json{{"format", lines_tag}, {"version", format_version}, {"tetrahedra", tetrahedra}}.dump();
+std::string write_table_lines(TableKey table, const std::vector<Manifold>& manifolds) {
+  Json heading{{"format", lines_tag}, {"version", format_version}, {"tetrahedra", table.tetrahedra}};
+  if (!table.orientable) heading["orientable"] = false;
+  std::string text = heading.dump();
   for (const Manifold& m : manifolds) {
     Json line = to_json(m);
     line.erase("name");
@@ -246,8 +265,8 @@ std::vector<Manifold> read_table(std::string_view text, const std::string& sourc
   try {
     if (j.at("format") != format_tag || j.at("version") != format_version)
       throw InputError("this is no census table of version " + std::to_string(format_version));
-    const int tetrahedra = j.at("tetrahedra");
-    for (const Json& entry : j.at("manifolds")) manifolds.push_back(from_json(entry, tetrahedra));
+    const TableKey table = key_in(j);
+    for (const Json& entry : j.at("manifolds")) manifolds.push_back(from_json(entry, table));
   } catch (const Json::exception& e) {
     throw InputError({source, 0}, "manifold " + std::to_string(manifolds.size()) + ": " + e.what());
   } catch (const InputError& e) {
@@ -256,42 +275,52 @@ std::vector<Manifold> read_table(std::string_view text, const std::string& sourc
   return manifolds;
 }
 
-std::string_view stored_table_text(int tetrahedra) {
-  const std::string wanted = "\"tetrahedra\": " + std::to_string(tetrahedra) + ",";
-  for (const std::string_view text : detail::embedded_tables())
-    if (text.substr(0, text.find("\"manifolds\"")).find(wanted) != std::string_view::npos) return text;
+std::string_view stored_table_text(TableKey table) {
+  const std::string wanted = "\"tetrahedra\": " + std::to_string(table.tetrahedra) + ",";
+  for (const std::string_view text : detail::embedded_tables()) {
+    const std::string_view heading = text.substr(0, text.find("\"manifolds\""));
+    const bool is_orientable = heading.find(not_orientable) == std::string_view::npos;
+    if (is_orientable == table.orientable && heading.find(wanted) != std::string_view::npos) return text;
+  }
   return {};
 }
 
-const std::vector<Manifold>& stored_table(int tetrahedra) {
-  static std::array<std::once_flag, most_tetrahedra + 1> is_read;
-  static std::array<std::vector<Manifold>, most_tetrahedra + 1> tables; // the first stays empty
-  const int n = tetrahedra > most_tetrahedra ? 0 : std::max(tetrahedra, 0);
-  std::call_once(is_read[n], [n] {
-    const std::string_view text = stored_table_text(n);
-    if (!text.empty()) tables[n] = read_table(text, "census table of " + std::to_string(n) + " tetrahedra");
+const std::vector<Manifold>& stored_table(TableKey table) {
+  constexpr std::size_t places = 2 * (most_tetrahedra + 1);
+  static std::array<std::once_flag, places> is_read;
+  static std::array<std::vector<Manifold>, places> tables; // those of no tetrahedra stay empty
+  const int n = table.tetrahedra > most_tetrahedra ? 0 : std::max(table.tetrahedra, 0);
+  const std::size_t place = 2 * static_cast<std::size_t>(n) + (table.orientable ? 0 : 1);
+  std::call_once(is_read[place], [n, place, orientable = table.orientable] {
+    const std::string_view text = stored_table_text({n, orientable});
+    if (!text.empty())
+      tables[place] = read_table(text, "census table of " + std::to_string(n) + " tetrahedra");
   });
-  return tables[n];
+  return tables[place];
 }
 
-std::vector<int> stored_tables() {
-  std::vector<int> found;
-  for (int n = 1; n <= most_tetrahedra; ++n)
-    if (!stored_table_text(n).empty()) found.push_back(n);
+std::vector<TableKey> stored_tables() {
+  std::vector<TableKey> found;
+  for (const bool orientable : {true, false})
+    for (int n = 1; n <= most_tetrahedra; ++n)
+      if (!stored_table_text({n, orientable}).empty()) found.emplace_back(n, orientable);
   return found;
 }
 
-const std::vector<Manifold>& require_table(int tetrahedra) {
-  const std::vector<Manifold>& table = stored_table(tetrahedra);
-  if (!table.empty()) return table;
+const std::vector<Manifold>& require_table(TableKey table) {
+  const std::vector<Manifold>& found = stored_table(table);
+  if (!found.empty()) return found;
   std::string stored;
-  for (const int n : stored_tables()) stored += (stored.empty() ? "" : ", ") + std::to_string(n);
-  throw InputError("no census table of " + std::to_string(tetrahedra) +
-                   " tetrahedra is stored (stored: " + (stored.empty() ? "none" : stored) + ")");
+  for (const TableKey key : stored_tables())
+    if (key.orientable == table.orientable)
+      stored += (stored.empty() ? "" : ", ") + std::to_string(key.tetrahedra);
+  throw InputError("no census table of " + std::to_string(table.tetrahedra) + " tetrahedra" +
+                   (table.orientable ? "" : ", not orientable,") +
+                   " is stored (stored: " + (stored.empty() ? "none" : stored) + ")");
 }
 
-int stored_count(int tetrahedra) {
-  const std::string_view text = stored_table_text(tetrahedra);
+int stored_count(TableKey table) {
+  const std::string_view text = stored_table_text(table);
   int count = 0;
   for (std::size_t at = text.find("\n    {"); at != std::string_view::npos; at = text.find("\n    {", at + 1))
     ++count;
@@ -299,10 +328,11 @@ int stored_count(int tetrahedra) {
 }
 
 std::optional<Manifold> find_by_name(std::string_view name) {
-  for (const int n : stored_tables()) {
-    if (!name.starts_with("fmp" + std::to_string(n) + "_")) continue;
-    const std::string_view line = line_with(stored_table_text(n), "{\"name\":\"" + std::string(name) + "\"");
-    if (!line.empty()) return read_manifold(line, n);
+  for (const TableKey table : stored_tables()) {
+    if (!name.starts_with(name_prefix(table))) continue;
+    const std::string_view line =
+        line_with(stored_table_text(table), "{\"name\":\"" + std::string(name) + "\"");
+    if (!line.empty()) return read_manifold(line, table);
   }
   return installed_database() != nullptr ? installed_database()->by_name(name) : std::nullopt;
 }
@@ -310,16 +340,16 @@ std::optional<Manifold> find_by_name(std::string_view name) {
 std::optional<Manifold> find_by_isometry_signature(std::string_view signature) {
   static const LinesBySignature lines = index_stored_lines();
   const auto found = lines.find(signature);
-  if (found != lines.end()) return read_manifold(found->second.text, found->second.tetrahedra);
+  if (found != lines.end()) return read_manifold(found->second.text, found->second.table);
   return installed_database() != nullptr ? installed_database()->by_isometry_signature(signature)
                                          : std::nullopt;
 }
 
 std::vector<std::string> stored_names() {
   std::vector<std::string> names;
-  for (const int n : stored_tables())
-    for (int k = 1, count = stored_count(n); k <= count; ++k)
-      names.push_back("fmp" + std::to_string(n) + "_" + std::to_string(k));
+  for (const TableKey table : stored_tables())
+    for (int k = 1, count = stored_count(table); k <= count; ++k)
+      names.push_back(name_prefix(table) + std::to_string(k));
   return names;
 }
 

@@ -36,18 +36,16 @@ void count_manifolds(const std::vector<Manifold>& manifolds, Validation& out) {
   out.by_boundary.assign(boundaries.begin(), boundaries.end());
 }
 
-void compare_with_published(Validation& out) {
-  const auto paper = published(out.tetrahedra);
-  if (!paper) return;
+void compare_with(const Published& paper, Validation& out) {
   const auto expect = [&](const char* what, int found, int wanted) {
     if (found != wanted)
-      out.failures.push_back(std::string(what) + ": " + std::to_string(found) + ", but " + paper->source +
+      out.failures.push_back(std::string(what) + ": " + std::to_string(found) + ", but " + paper.source +
                              " has " + std::to_string(wanted));
   };
-  expect("manifolds", out.manifolds, paper->manifolds);
-  expect("distinct volumes", static_cast<int>(out.volumes.size()), paper->distinct_volumes);
-  expect("manifolds with one edge class", out.single_edge, paper->single_edge);
-  expect("manifolds with a cusp", out.cusped, paper->cusped);
+  expect("manifolds", out.manifolds, paper.manifolds);
+  expect("distinct volumes", static_cast<int>(out.volumes.size()), paper.distinct_volumes);
+  expect("manifolds with one edge class", out.single_edge, paper.single_edge);
+  expect("manifolds with a cusp", out.cusped, paper.cusped);
 }
 
 struct Errors {
@@ -95,26 +93,26 @@ void solve_all_again(const std::vector<Manifold>& table, Validation& out, const 
 
 } // namespace
 
-std::optional<Published> published(int tetrahedra) {
+std::optional<Published> published(TableKey table) {
   for (const Published& paper : publications)
-    if (paper.tetrahedra == tetrahedra) return paper;
+    if (table == TableKey(paper.tetrahedra)) return paper;
   return std::nullopt;
 }
 
-Validation validate(int tetrahedra, int threads, const Progress& progress) {
-  const std::vector<Manifold>& table = require_table(tetrahedra);
+Validation validate(TableKey key, int threads, const Progress& progress) {
+  const std::vector<Manifold>& table = require_table(key);
   Validation out;
-  out.tetrahedra = tetrahedra;
-  const Classification fresh = classify_manifolds(tetrahedra, threads, progress);
+  out.tetrahedra = key.tetrahedra;
+  const Classification fresh = classify_manifolds(key, threads, progress);
   out.tally = fresh.tally;
   const bool brief = table.front().dihedral_angles.empty();
-  out.rebuilt = write_table(tetrahedra, brief ? without_angles(fresh.manifolds) : fresh.manifolds) ==
-                stored_table_text(tetrahedra);
+  out.rebuilt =
+      write_table(key, brief ? without_angles(fresh.manifolds) : fresh.manifolds) == stored_table_text(key);
   if (!out.rebuilt) out.failures.emplace_back("the stored table did not come out again");
   if (out.tally.stuck > 0)
     out.failures.push_back(std::to_string(out.tally.stuck) + " structures without a canonical decomposition");
   count_manifolds(fresh.manifolds, out);
-  compare_with_published(out);
+  if (const auto paper = published(key)) compare_with(*paper, out);
   solve_all_again(out.rebuilt ? fresh.manifolds : table, out,
                   progress); // where angles are not stored, the fresh ones
   return out;

@@ -47,12 +47,15 @@ std::optional<Known> known_manifold(const std::string& isometry_signature, const
   return std::nullopt;
 }
 
-/// The number of tetrahedra of the last one.
-int largest_table() {
-  std::vector<int> tables = catalogue::stored_tables();
+/// The number of tetrahedra of the last one, of orientable manifolds or of the others.
+int largest_table(bool orientable) {
+  std::vector<catalogue::TableKey> tables = catalogue::stored_tables();
   if (const catalogue::Database* file = catalogue::installed_database())
-    for (const int n : file->tables()) tables.push_back(n);
-  return tables.empty() ? 0 : *std::max_element(tables.begin(), tables.end());
+    for (const catalogue::TableKey table : file->tables()) tables.push_back(table);
+  int largest = 0;
+  for (const catalogue::TableKey table : tables)
+    if (table.orientable == orientable) largest = std::max(largest, table.tetrahedra);
+  return largest;
 }
 
 /// 20000 as "20,000".
@@ -139,7 +142,8 @@ private:
     if (!known) {
       say("isometry signature " + isometry_signature + " is in no table: volume " +
           volume_text(*out_.volume) + ", tables hold manifolds with geodesic boundary of up to " +
-          tetrahedra(largest_table()) + " and " + grouped(catalogue::cusped_count()) + " cusped ones");
+          tetrahedra(largest_table(Skeleton(given_).is_orientable())) + " and " +
+          grouped(catalogue::cusped_count()) + " cusped ones");
     } else {
       out_.by = By::isometry_signature;
       out_.name = std::move(known->name);

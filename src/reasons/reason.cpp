@@ -6,6 +6,7 @@
 #include "surface_reason.hpp"
 #include "tetrarch/core/boundary.hpp"
 #include "tetrarch/core/check.hpp"
+#include "tetrarch/core/double_cover.hpp"
 #include "tetrarch/core/error.hpp"
 #include "tetrarch/core/signature.hpp"
 #include "tetrarch/moves/simplify.hpp"
@@ -15,22 +16,6 @@
 
 namespace tetrarch::reasons {
 namespace {
-
-/// The orientable double cover: tetrahedron t twice, as t and t + n; gluings that do not reverse the
-/// handedness lead from one copy to the other. (A gluing of equally handed tetrahedra is odd.)
-Triangulation double_cover(const Triangulation& tri) {
-  const int n = tri.size();
-  Triangulation cover(2 * n);
-  for (int t = 0; t < n; ++t)
-    for (int f = 0; f < 4; ++f) {
-      const Gluing g = tri.gluing({t, f});
-      if (g.tet < 0) continue;
-      const int change = g.perm.sign() < 0 ? 0 : n;
-      if (cover.is_boundary({t, f})) cover.glue({t, f}, (g.tet + change) % (2 * n), g.perm);
-      if (cover.is_boundary({t + n, f})) cover.glue({t + n, f}, (g.tet + n + change) % (2 * n), g.perm);
-    }
-  return cover;
-}
 
 struct Kinds {
   bool cusps = false;
@@ -111,7 +96,7 @@ std::optional<Reason> why_not_hyperbolic(const Triangulation& tri, const ReasonO
   if (boundary_kinds(tri, skeleton).projective_planes) return of_projective_plane();
   if (auto reason = search(tri, options, progress)) return reason;
   if (skeleton.is_orientable()) return std::nullopt;
-  auto reason = search(double_cover(tri), options, progress);
+  auto reason = search(orientable_double_cover(tri), options, progress);
   if (reason) reason->in_double_cover = true;
   return reason;
 }

@@ -4,11 +4,16 @@
 
 #include "tetrarch/algebra/homology.hpp"
 #include "tetrarch/algebra/torsion.hpp"
+#include "tetrarch/canonical/canonize.hpp"
+#include "tetrarch/canonical/isometries.hpp"
 #include "tetrarch/catalogue/cusped.hpp"
+#include "tetrarch/core/double_cover.hpp"
 #include "tetrarch/core/error.hpp"
+#include "tetrarch/core/isomorphism.hpp"
 #include "tetrarch/core/signature.hpp"
 #include "tetrarch/core/skeleton.hpp"
 #include "tetrarch/enumeration/gluings.hpp"
+#include "tetrarch/hyperbolic/hyperbolize.hpp"
 
 #include <algorithm>
 #include <catch2/catch.hpp>
@@ -74,9 +79,48 @@ TEST_CASE("published volumes stand in the tables", "[census]") {
 }
 
 TEST_CASE("the classification gives the stored bytes again, with one thread and with two", "[census]") {
-  for (const int n : {2, 3})
+  for (const TableKey table : {TableKey(2), TableKey(3), TableKey(2, false)})
     for (const int threads : {1, 2})
-      CHECK(write_table(n, classify_manifolds(n, threads).manifolds) == stored_table_text(n));
+      CHECK(write_table(table, classify_manifolds(table, threads).manifolds) == stored_table_text(table));
+}
+
+TEST_CASE("not orientable: every gluing of three tetrahedra is settled", "[census]") {
+  // Regina (tricensus -n -i -d) lists 14 and 753 valid gluings with such links and valences
+  // (tests/oracle/record_census.py).
+  const Classification two = classify_manifolds(TableKey(2, false));
+  CHECK((two.tally.gluings == 14 && two.manifolds.size() == 14));
+  const Classification three = classify_manifolds(TableKey(3, false), 2);
+  CHECK((three.tally.gluings == 753 && three.tally.geometric == 746 && three.tally.none == 7));
+  CHECK((three.open.empty() && three.unproved.empty() && three.stuck.empty()));
+  CHECK(three.tally.proved == 746);
+  CHECK(write_table({3, false}, three.manifolds) == stored_table_text({3, false}));
+  CHECK(classify_manifolds(TableKey(1, false)).manifolds.empty());
+}
+
+TEST_CASE(
+    "not orientable: the orientable double cover has twice the volume, and an isometry that reverses it",
+    "[census]") {
+  std::map<std::string, int> covers;
+  for (const int n : {2, 3}) {
+    const std::vector<Manifold>& table = stored_table({n, false});
+    for (std::size_t k = 0; k < table.size(); k += n == 2 ? 1 : 20) {
+      const Manifold& m = table[k];
+      const Triangulation tri = from_signature(m.signature);
+      REQUIRE_FALSE(Skeleton(tri).is_orientable());
+      const Triangulation cover = orientable_double_cover(tri);
+      REQUIRE((Skeleton(cover).is_orientable() && components(cover).count == 1));
+      const auto structure = hyperbolic::hyperbolize(cover, Skeleton(cover));
+      REQUIRE(structure.outcome == hyperbolic::Outcome::geometric);
+      CHECK(structure.volume == Approx(2 * std::stod(m.volume)).epsilon(1e-13));
+      const canonical::Canonical cells = canonical::canonize(cover, structure);
+      REQUIRE(cells.outcome == canonical::Canonical::Outcome::canonical);
+      CHECK(canonical::is_amphichiral(cells.canonical_triangulation,
+                                      automorphisms(cells.canonical_triangulation))
+                .value());
+      if (n == 2) ++covers[find_by_isometry_signature(cells.isometry_signature).value().boundary_text()];
+    }
+  }
+  CHECK(covers == std::map<std::string, int>{{"genus 3", 14}}); // of four crosscaps: all in the table of four
 }
 
 namespace {
@@ -173,8 +217,8 @@ TEST_CASE("units that are made one by one, backwards, are the classification", "
 }
 
 TEST_CASE("what is looked up is what the table holds", "[census]") {
-  CHECK(stored_names().size() == 8 + 151 + 5033);
-  for (const int n : {2, 3})
+  CHECK(stored_names().size() == 8 + 151 + 5033 + 14 + 701);
+  for (const TableKey n : {TableKey(2), TableKey(3), TableKey(2, false), TableKey(3, false)})
     for (const Manifold& m : stored_table(n)) {
       REQUIRE(find_by_name(m.name) == m);
       REQUIRE(find_by_isometry_signature(m.canonical_signature) == m);
@@ -188,12 +232,13 @@ TEST_CASE("what is looked up is what the table holds", "[census]") {
 
 TEST_CASE("the canonical triangulation tells the isometries", "[census]") {
   std::map<std::pair<std::string, bool>, int> groups;
-  for (const int n : stored_tables())
+  for (const TableKey n : stored_tables())
     for (const Manifold& m : stored_table(n)) {
       const Symmetry symmetry = symmetry_of(m);
       REQUIRE(symmetry.order == m.symmetries);
       REQUIRE_FALSE(symmetry.group.empty());
-      if (n == 2) ++groups[{symmetry.group, *symmetry.amphichiral}];
+      REQUIRE(symmetry.amphichiral.has_value() == n.orientable);
+      if (n == TableKey(2)) ++groups[{symmetry.group, *symmetry.amphichiral}];
     }
   // By hand, of two regular tetrahedra: the exterior of the knotted Y has the symmetries of the graph (D3).
   CHECK(symmetry_of(*find_by_name("fmp2_8")).group == "D3");
@@ -241,24 +286,25 @@ TEST_CASE("four tetrahedra make 5,033 manifolds", "[census][slow]") {
 }
 
 TEST_CASE("chi(boundary) is 2 (E - T) for every stored gluing", "[census]") {
-  for (const int n : stored_tables()) {
+  for (const TableKey n : stored_tables()) {
     for (const Manifold& m : stored_table(n)) {
       const Triangulation tri = from_signature(m.signature);
       int euler = 0;
-      for (const int genus : m.boundary) euler += 2 - 2 * genus;
-      CHECK(euler == 2 * (Skeleton(tri).edge_count() - n));
+      for (const int genus : m.boundary) euler += genus > 0 ? 2 - 2 * genus : 2 + genus;
+      CHECK(euler == 2 * (Skeleton(tri).edge_count() - n.tetrahedra));
     }
   }
 }
 
 TEST_CASE("names are unique, and lead back to their manifold", "[census]") {
   std::set<std::string> isometry;
-  for (const int n : stored_tables())
+  for (const TableKey n : stored_tables())
     for (const Manifold& m : stored_table(n)) {
       CHECK(find_by_name(m.name) == m);
       CHECK(isometry.insert(m.canonical_signature).second);
     }
   CHECK_FALSE(find_by_name("fmp3_152"));
+  CHECK_FALSE(find_by_name("tetn3_702"));
   CHECK_FALSE(find_by_name("m004"));
 }
 
@@ -281,6 +327,7 @@ TEST_CASE("validation keeps rebuilt and re-solved apart", "[census]") {
   CHECK(v.max_angle_error < 1e-10);
   CHECK(v.max_angle_error_flow < 1e-9);
   CHECK_THROWS_AS(validate(5), InputError);
+  CHECK_THROWS_WITH(validate({4, false}), Catch::Contains("not orientable") && Catch::Contains("2, 3"));
 }
 
 TEST_CASE("Regina agrees about signature, homology, boundary and symmetries of every entry",
@@ -290,7 +337,7 @@ TEST_CASE("Regina agrees about signature, homology, boundary and symmetries of e
   for (std::string line; std::getline(lines, line);)
     if (!line.starts_with('#')) recorded.push_back(line);
   std::vector<std::string> ours;
-  for (const int n : {2, 3}) {
+  for (const TableKey n : {TableKey(2), TableKey(3), TableKey(2, false), TableKey(3, false)}) {
     for (const Manifold& m : stored_table(n)) {
       std::string homology; // "Z^2 + Z/3" is Regina's "2 Z + Z_3", "Z^2 + Z/2 + Z/2" its "2 Z + 2 Z_2"
       const Triangulation tri = from_signature(m.signature);
@@ -303,7 +350,8 @@ TEST_CASE("Regina agrees about signature, homology, boundary and symmetries of e
         homology +=
             (homology.empty() ? "" : "+") + (count > 1 ? std::to_string(count) : "") + "Z_" + order.str();
       std::string links;
-      for (const int genus : m.boundary) links += (links.empty() ? "" : ",") + std::to_string(2 - 2 * genus);
+      for (const int genus : m.boundary)
+        links += (links.empty() ? "" : ",") + std::to_string(genus > 0 ? 2 - 2 * genus : 2 + genus);
       for (int k = 0; k < m.cusps; ++k) links += ",0";
       ours.push_back(m.signature + "|" + homology + "|" + links + "|" + std::to_string(m.symmetries));
     }

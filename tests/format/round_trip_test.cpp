@@ -112,7 +112,7 @@ TEST_CASE("the zoo and the census survive every format", "[roundtrip]") {
     INFO(entry.name);
     CHECK(survive(document_of(entry.triangulation(), entry.name), random) >= 2);
   }
-  for (const int n : catalogue::stored_tables())
+  for (const catalogue::TableKey n : catalogue::stored_tables())
     for (const catalogue::Manifold& manifold : catalogue::stored_table(n)) {
       INFO(manifold.name);
       CHECK(survive(document_of(from_signature(manifold.signature), manifold.name), random) == 4);

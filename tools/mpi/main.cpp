@@ -25,8 +25,8 @@ int main(int argc, char** argv) {
   }
   mpi::Master master(world);
   program::set_crew(
-      [&master](int tetrahedra, bool angles, const catalogue::UnitRecords& records,
-                const Progress& progress) { master.share_out(tetrahedra, angles, records, progress); });
+      [&master](catalogue::TableKey table, bool angles, const catalogue::UnitRecords& records,
+                const Progress& progress) { master.share_out(table, angles, records, progress); });
   const int status = program::run_program("tetrarch-mpi", argv);
   const int lost = master.dismiss(patience);
   if (lost > 0) {

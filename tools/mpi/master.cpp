@@ -139,8 +139,9 @@ std::optional<std::pair<int, Report>> Master::next_report() {
   return came;
 }
 
-void Master::share_out(int tetrahedra, bool angles, const UnitRecords& records, const Progress& progress) {
-  const ClassificationUnits units(tetrahedra, angles, progress);
+void Master::share_out(catalogue::TableKey table, bool angles, const UnitRecords& records,
+                       const Progress& progress) {
+  const ClassificationUnits units(table, angles, progress);
   Queue queue(units, records);
   OwnWork own(units, queue);
   ++job_;
@@ -152,7 +153,9 @@ void Master::share_out(int tetrahedra, bool angles, const UnitRecords& records, 
     const auto& [rank, report] = *came;
     if (report.unit >= 0 && report.job == job_) queue.keep(report.unit, report.records);
     const int unit = queue.next();
-    world_.send(rank, ordering, Order{unit >= 0 ? Order::make : Order::wait, job_, tetrahedra, angles, unit});
+    world_.send(
+        rank, ordering,
+        Order{unit >= 0 ? Order::make : Order::wait, job_, table.tetrahedra, table.orientable, angles, unit});
   }
 }
 
@@ -164,7 +167,7 @@ int Master::dismiss(double grace) {
   }
   const int lost = world_.size() - 1 - static_cast<int>(here.size());
   for (const int rank : here)
-    world_.send(rank, ordering, Order{lost > 0 ? Order::leave_at_once : Order::leave, 0, 0, false, -1});
+    world_.send(rank, ordering, Order{lost > 0 ? Order::leave_at_once : Order::leave, 0, 0, true, false, -1});
   return lost;
 }
 

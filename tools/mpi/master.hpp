@@ -22,7 +22,7 @@ public:
   explicit Master(boost::mpi::communicator world) : world_(std::move(world)) {}
 
   /// Makes what the records do not hold. Lets through what `records.keep` throws, and `Stopped`.
-  void share_out(int tetrahedra, bool angles, const catalogue::UnitRecords& records,
+  void share_out(catalogue::TableKey table, bool angles, const catalogue::UnitRecords& records,
                  const Progress& progress);
   /// Waits until all the others have asked, `grace` seconds at most, and lets those leave who have. The
   /// number of those who have not.

@@ -30,12 +30,13 @@ struct Order {
   int kind = wait;
   int job = 0; ///< number of the classification, from 1
   int tetrahedra = 0;
+  bool orientable = true;
   bool angles = false;
   int unit = -1;
 
   template <class Archive>
   void serialize(Archive& archive, unsigned) {
-    archive& kind& job& tetrahedra& angles& unit;
+    archive& kind& job& tetrahedra& orientable& angles& unit;
   }
 };
 

@@ -34,7 +34,8 @@ bool work_for_others(const boost::mpi::communicator& world) {
       std::this_thread::sleep_for(std::chrono::milliseconds(20));
       continue;
     }
-    if (order.job != job) units.emplace(order.tetrahedra, order.angles);
+    if (order.job != job)
+      units.emplace(catalogue::TableKey(order.tetrahedra, order.orientable), order.angles);
     job = order.job;
     report.unit = order.unit;
     report.records = units->make(order.unit);

@@ -2,6 +2,7 @@
 #include "census.hpp"
 #include "command.hpp"
 #include "crew.hpp"
+#include "output.hpp"
 #include "samples.hpp"
 #include "text.hpp"
 
@@ -9,6 +10,7 @@
 #include "tetrarch/core/error.hpp"
 #include "tetrarch/core/signature.hpp"
 #include "tetrarch/enumeration/gluings.hpp"
+#include "tetrarch/format/compressed.hpp"
 #include "tetrarch/format/new_files.hpp"
 #include "tetrarch/format/records.hpp"
 #include "tetrarch/format/text.hpp"
@@ -20,6 +22,7 @@
 #include <limits>
 #include <memory>
 #include <optional>
+#include <string_view>
 #include <system_error>
 
 namespace tetrarch::program {
@@ -78,9 +81,9 @@ std::string validation_text(const Validation& v, double seconds) {
   return text + (v.failures.empty() ? "Nothing failed. " : "") + fixed(seconds, 2) + " seconds\n";
 }
 
-Result run_validation(int tetrahedra, const Context& context) {
+Result run_validation(catalogue::TableKey key, const Context& context) {
   const auto start = std::chrono::steady_clock::now();
-  const Validation v = catalogue::validate(tetrahedra, context.threads, context.progress);
+  const Validation v = catalogue::validate(key, context.threads, context.progress);
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   Result result;
   result.json = validation_json(v, seconds);
@@ -103,11 +106,12 @@ catalogue::Share share_in(const std::string& text) {
 }
 
 /// The records of a folder, which is made if it is to be written to; or the file of the records itself.
-std::unique_ptr<format::Records> open_work(const std::string& folder, int tetrahedra, bool brief,
+std::unique_ptr<format::Records> open_work(const std::string& folder, catalogue::TableKey key, bool brief,
                                            format::Records::Open how) {
   std::error_code error;
-  const std::string heading =
-      "certified classification of " + std::to_string(tetrahedra) + " tetrahedra" + (brief ? ", brief" : "");
+  const std::string heading = "certified classification of " + std::to_string(key.tetrahedra) +
+                              " tetrahedra" + (key.orientable ? "" : ", not orientable") +
+                              (brief ? ", brief" : "");
   if (how == format::Records::Open::read && std::filesystem::is_regular_file(folder, error))
     return std::make_unique<format::Records>(folder, heading, how);
   error.clear();
@@ -186,8 +190,36 @@ std::string classification_summary(const catalogue::Classification& found) {
   return block(rows);
 }
 
+/// A table for a file of this name: JSON or its lines, packed or not; nothing for another extension.
+std::optional<std::string> table_text(catalogue::TableKey key, const std::vector<Manifold>& manifolds,
+                                      const std::string& path) {
+  const bool pack = format::has_extension(path, ".xz");
+  const std::string bare = pack ? path.substr(0, path.size() - std::string_view(".xz").size()) : path;
+  const bool lines = format::has_extension(bare, ".jsonl");
+  if (!lines && !format::has_extension(bare, ".json")) return std::nullopt;
+  std::string text = lines ? write_table_lines(key, manifolds) : write_table(key, manifolds);
+  return pack ? format::packed(text) : std::move(text);
+}
+
+/// Throws InputError unless a table can be written to `path`; an empty one is none.
+void require_table(const std::string& path) {
+  if (path.empty()) return;
+  if (!table_text(1, {}, path))
+    throw InputError({path, 0}, "no census table has this extension (expected .jsonl or .json, or .jsonl.xz "
+                                "or .json.xz to have it packed; census table makes an SQLite file of these)");
+  require_folder(path);
+}
+
+void add_table_output(OptionTable& table, std::string& path) {
+  table
+      .add("-o,--output", path,
+           "write a census table to this file: lines of JSON (.jsonl) or one document (.json), packed if .xz "
+           "follows")
+      .value_name("FILE");
+}
+
 /// The manifolds, a line each or as a table in a file; and what is left open.
-Result classification_result(const catalogue::Classification& found, int tetrahedra,
+Result classification_result(const catalogue::Classification& found, catalogue::TableKey key,
                              const std::string& output) {
   Result result;
   if (found.missing_units > 0) {
@@ -197,12 +229,10 @@ Result classification_result(const catalogue::Classification& found, int tetrahe
       result.warnings.push_back(output + " was not written: this is one of several shards");
     return result;
   }
-  const bool lines = format::has_extension(output, ".jsonl");
   if (output.empty())
     for (const Manifold& m : found.manifolds) result.text += manifold_json(m).dump() + "\n";
   else {
-    result.files.push_back({output, lines ? write_table_lines(tetrahedra, found.manifolds)
-                                          : write_table(tetrahedra, found.manifolds)});
+    result.files.push_back({output, table_text(key, found.manifolds, output).value()});
     result.json = summary_json(found);
     result.text = classification_summary(found) +
                   counted(static_cast<long long>(found.manifolds.size()), "manifold") + " written to " +
@@ -216,7 +246,7 @@ Result classification_result(const catalogue::Classification& found, int tetrahe
 
 Run declare_census_enumerate(OptionTable& table) {
   struct Options {
-    int tetrahedra = 3;
+    TableChoice table;
     std::string output;
     bool brief = false;
     std::string work;
@@ -224,11 +254,8 @@ Run declare_census_enumerate(OptionTable& table) {
     std::string share;
   };
   const auto options = std::make_shared<Options>();
-  add_tetrahedra(table, options->tetrahedra, true);
-  table
-      .add("-o,--output", options->output,
-           "write a census table to this file, as JSON, or as lines of JSON (.jsonl)")
-      .value_name("FILE");
+  add_table_choice(table, options->table, true);
+  add_table_output(table, options->output);
   table.add("--brief", options->brief, "leave the dihedral angles out");
   table
       .add("--work", options->work,
@@ -242,6 +269,7 @@ Run declare_census_enumerate(OptionTable& table) {
            "together")
       .value_name("I/K");
   return [options](const Context& context) {
+    require_table(options->output);
     catalogue::WorkOptions how;
     how.threads = context.threads;
     how.angles = !options->brief;
@@ -254,14 +282,14 @@ Run declare_census_enumerate(OptionTable& table) {
     catalogue::RecordsInMemory in_memory; // nobody needs them later
     if (crew()) how.records = in_memory.both();
     if (!options->work.empty()) {
-      records = open_work(options->work, options->tetrahedra, options->brief,
+      records = open_work(options->work, options->table.key(), options->brief,
                           options->resume ? format::Records::Open::resume : format::Records::Open::fresh);
       how.records.find = [&](const std::string& key) { return records->find(key); };
       how.records.keep = [&](const std::string& key, const std::string& text) { records->add(key, text); };
     }
-    if (crew()) crew()(options->tetrahedra, how.angles, how.records, context.progress);
-    const auto found = catalogue::classify_manifolds(options->tetrahedra, how, context.progress);
-    Result result = classification_result(found, options->tetrahedra, options->output);
+    if (crew()) crew()(options->table.key(), how.angles, how.records, context.progress);
+    const auto found = catalogue::classify_manifolds(options->table.key(), how, context.progress);
+    Result result = classification_result(found, options->table.key(), options->output);
     if (records && records->damaged() > 0)
       result.warnings.push_back(counted(records->damaged(), "damaged record") + " in " + options->work +
                                 " done again");
@@ -272,7 +300,7 @@ Run declare_census_enumerate(OptionTable& table) {
 Run declare_census_merge(OptionTable& table) {
   struct Options {
     std::vector<std::string> folders;
-    int tetrahedra = 3;
+    TableChoice table;
     bool brief = false;
     std::string output;
   };
@@ -281,17 +309,15 @@ Run declare_census_merge(OptionTable& table) {
       .add("DIR", options->folders,
            "the folders that census enumerate --work wrote, or the files of records in them")
       .required();
-  add_tetrahedra(table, options->tetrahedra, true);
+  add_table_choice(table, options->table, true);
   table.add("--brief", options->brief, "the folders were written with --brief");
-  table
-      .add("-o,--output", options->output,
-           "write a census table to this file, as JSON, or as lines of JSON (.jsonl)")
-      .value_name("FILE");
+  add_table_output(table, options->output);
   return [options](const Context& context) {
+    require_table(options->output);
     std::vector<std::unique_ptr<format::Records>> all;
     for (const std::string& folder : options->folders)
       all.push_back(
-          open_work(located(folder), options->tetrahedra, options->brief, format::Records::Open::read));
+          open_work(located(folder), options->table.key(), options->brief, format::Records::Open::read));
     catalogue::WorkOptions how;
     how.threads = context.threads;
     how.share.reset();
@@ -300,18 +326,18 @@ Run declare_census_merge(OptionTable& table) {
         if (const std::string* text = records->find(key)) return text;
       return nullptr;
     };
-    const auto found = catalogue::classify_manifolds(options->tetrahedra, how, context.progress);
+    const auto found = catalogue::classify_manifolds(options->table.key(), how, context.progress);
     if (found.missing_units > 0)
       throw InputError(counted(found.missing_units, "unit") +
                        " of work missing from these folders (census enumerate --resume does them)");
-    return classification_result(found, options->tetrahedra, options->output);
+    return classification_result(found, options->table.key(), options->output);
   };
 }
 
 Run declare_census_validate(OptionTable& table) {
-  const auto tetrahedra = std::make_shared<int>(3);
-  add_tetrahedra(table, *tetrahedra, false);
-  return [tetrahedra](const Context& context) { return run_validation(*tetrahedra, context); };
+  const auto choice = std::make_shared<TableChoice>();
+  add_table_choice(table, *choice, false);
+  return [choice](const Context& context) { return run_validation(choice->key(), context); };
 }
 
 } // namespace tetrarch::program

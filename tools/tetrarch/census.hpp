@@ -21,6 +21,16 @@ std::string shortened(const std::string& volume);
 /// `--tetrahedra N`.
 void add_tetrahedra(OptionTable& table, int& tetrahedra, bool required);
 
+/// Which table a command is about.
+struct TableChoice {
+  int tetrahedra = 3;
+  bool nonorientable = false;
+
+  catalogue::TableKey key() const { return {tetrahedra, !nonorientable}; }
+};
+/// `--tetrahedra N` and `--nonorientable`.
+void add_table_choice(OptionTable& table, TableChoice& choice, bool required);
+
 /// The table in a file, packed by xz or not. Throws InputError.
 std::vector<catalogue::Manifold> read_table_file(const std::string& path);
 

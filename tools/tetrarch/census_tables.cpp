@@ -31,10 +31,14 @@ std::optional<std::vector<int>> genera_in(const std::string& text) {
   std::vector<int> genera;
   for (std::size_t at = 0; at <= text.size();) {
     const std::size_t comma = std::min(text.find(',', at), text.size());
-    const auto genus = format::parse_integer(std::string_view(text).substr(at, comma - at));
-    if (!genus || *genus < 2 || *genus > largest)
-      throw InputError("--boundary " + in_quotes(text) + ": expected genera from 2 on, such as 2 or 3,2");
-    genera.push_back(static_cast<int>(*genus));
+    std::string_view item = std::string_view(text).substr(at, comma - at);
+    const bool crosscaps = item.ends_with('k'); // as in `census gluings --links`
+    if (crosscaps) item.remove_suffix(1);
+    const auto number = format::parse_integer(item);
+    if (!number || *number < (crosscaps ? 3 : 2) || *number > largest)
+      throw InputError("--boundary " + in_quotes(text) +
+                       ": expected genera from 2 on, such as 2 or 3,2, or crosscaps from 3 on, such as 3k");
+    genera.push_back(static_cast<int>(crosscaps ? -*number : *number));
     at = comma + 1;
   }
   std::sort(genera.begin(), genera.end(), std::greater<>());
@@ -76,7 +80,7 @@ public:
 
   void visit(const catalogue::Wanted& wanted, const Visitor& visitor) const {
     if (const catalogue::Database* file = file_for(wanted)) return file->visit(wanted, visitor);
-    for (const Manifold& m : own_table_ ? *own_table_ : catalogue::require_table(*wanted.tetrahedra))
+    for (const Manifold& m : own_table_ ? *own_table_ : catalogue::require_table(key_of(wanted)))
       if (wanted.fits(m)) visitor(m);
   }
 
@@ -100,10 +104,13 @@ private:
   const catalogue::Database* file_for(const catalogue::Wanted& wanted) const {
     if (own_file_) return &*own_file_;
     const catalogue::Database* installed = catalogue::installed_database();
-    const bool compiled_in = own_table_ || catalogue::stored_count(*wanted.tetrahedra) > 0;
+    const bool compiled_in = own_table_ || catalogue::stored_count(key_of(wanted)) > 0;
     if (compiled_in || installed == nullptr) return nullptr;
-    const std::vector<int> tables = installed->tables();
-    return std::binary_search(tables.begin(), tables.end(), *wanted.tetrahedra) ? installed : nullptr;
+    const std::vector<catalogue::TableKey> tables = installed->tables();
+    return std::find(tables.begin(), tables.end(), key_of(wanted)) != tables.end() ? installed : nullptr;
+  }
+  static catalogue::TableKey key_of(const catalogue::Wanted& wanted) {
+    return {wanted.tetrahedra.value(), wanted.orientable.value_or(true)};
   }
 
   std::optional<catalogue::Database> own_file_;
@@ -131,6 +138,7 @@ void add_table(OptionTable& table, std::string& path) {
 
 Json manifold_json(const Manifold& m) {
   Json j{{"name", nullptr}, {"tetrahedra", m.tetrahedra}};
+  if (!m.orientable) j["orientable"] = false;
   j.update(Json::parse(json_text(m)));
   return j;
 }
@@ -150,13 +158,19 @@ void add_tetrahedra(OptionTable& table, int& tetrahedra, bool required) {
     option.with_default();
 }
 
+void add_table_choice(OptionTable& table, TableChoice& choice, bool required) {
+  add_tetrahedra(table, choice.tetrahedra, required);
+  table.add("--nonorientable", choice.nonorientable,
+            "the manifolds that are not orientable, which have a table of their own");
+}
+
 std::vector<Manifold> read_table_file(const std::string& path) {
   return catalogue::read_table(format::unpacked(format::read_file(path), path), path);
 }
 
 Run declare_census_list(OptionTable& table) {
   struct Options {
-    int tetrahedra = 3;
+    TableChoice choice;
     std::string table;
     std::string boundary;
     std::string volume;
@@ -165,9 +179,12 @@ Run declare_census_list(OptionTable& table) {
     bool count = false;
   };
   const auto o = std::make_shared<Options>();
-  add_tetrahedra(table, o->tetrahedra, false);
+  add_table_choice(table, o->choice, false);
   add_table(table, o->table);
-  table.add("--boundary", o->boundary, "only with geodesic boundary of just these genera, such as 2 or 3,2")
+  table
+      .add("--boundary", o->boundary,
+           "only with geodesic boundary of just these genera, such as 2 or 3,2; 3k is a sphere with three "
+           "crosscaps")
       .value_name("LIST");
   table.add("--volume", o->volume, "only with a volume in this range; either end may be left out")
       .value_name("A..B");
@@ -177,11 +194,12 @@ Run declare_census_list(OptionTable& table) {
   table.add("--count", o->count, "print no more than their number");
   return [o](const Context& context) {
     const auto [least, greatest] = range_in(o->volume);
-    const catalogue::Wanted wanted{o->tetrahedra, genera_in(o->boundary), least, greatest, o->homology,
-                                   o->cusps};
+    const catalogue::Wanted wanted{
+        o->choice.tetrahedra,    genera_in(o->boundary), least, greatest, o->homology, o->cusps,
+        !o->choice.nonorientable};
     const Source source(o->table);
     Result result;
-    result.json = {{"tetrahedra", o->tetrahedra}, {"count", 0}};
+    result.json = {{"tetrahedra", o->choice.tetrahedra}, {"count", 0}};
     if (o->count) {
       const long long count = source.count(wanted);
       result.json["count"] = count;

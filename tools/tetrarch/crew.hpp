@@ -12,7 +12,7 @@ namespace tetrarch::program {
 
 /// Makes all units of a classification that the records do not hold yet (catalogue/units.hpp), and keeps them
 /// there.
-using Crew = std::function<void(int tetrahedra, bool angles, const catalogue::UnitRecords& records,
+using Crew = std::function<void(catalogue::TableKey table, bool angles, const catalogue::UnitRecords& records,
                                 const Progress& progress)>;
 
 /// To be called before the first job, if at all.

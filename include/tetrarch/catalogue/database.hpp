@@ -4,7 +4,8 @@
 /// Tables of manifolds in one SQLite file, for tables too long to be compiled in.
 ///
 ///     manifold: name | tetrahedra | signature | volume | volume_value | boundary | cusps | edges | homology
-///               | cells | canonical_signature | symmetries | symmetry_group | amphichiral
+///               | cells | canonical_signature | symmetries | orientable | klein_cusps | symmetry_group
+///               | amphichiral
 ///
 /// A row for each manifold, in the order of names. `volume` is the text of 30 digits, `volume_value` its
 /// nearest double; `boundary` and `cells` are JSON arrays; `symmetry_group` is the name of the isometry
@@ -34,6 +35,7 @@ struct Wanted {
   double greatest_volume = std::numeric_limits<double>::infinity();
   std::string homology; ///< "Z^2 + Z/3"; empty: any
   std::optional<int> cusps;
+  std::optional<bool> orientable;
 
   bool fits(const Manifold& m) const;
 };
@@ -53,8 +55,8 @@ public:
   long long count(const Wanted& wanted) const;
   /// In the order of names.
   void visit(const Wanted& wanted, const std::function<void(const Manifold&)>& visitor) const;
-  /// The numbers of tetrahedra of which there are manifolds, increasing.
-  std::vector<int> tables() const;
+  /// The tables of which there are manifolds, the orientable ones first, by increasing numbers of tetrahedra.
+  std::vector<TableKey> tables() const;
 
 private:
   struct State;

@@ -9,7 +9,7 @@
 ///         for (const auto& [key, text] : units.make(k)) records.keep(key, text);
 ///
 /// Then `classify_manifolds` finds in the records what it would have done itself, whoever made them. Units
-/// depend on the number of tetrahedra alone, so that every process has the same.
+/// depend on the table's key alone, so that every process has the same.
 
 #include "tetrarch/catalogue/validate.hpp"
 
@@ -24,7 +24,7 @@ class ClassificationUnits {
 public:
   /// Of that many tetrahedra and of all fewer; `angles` as in WorkOptions. It finds how the gluings begin: a
   /// small part of the work. Throws PreconditionError unless tetrahedra >= 1.
-  ClassificationUnits(int tetrahedra, bool angles, const Progress& progress = {});
+  ClassificationUnits(TableKey table, bool angles, const Progress& progress = {});
   ClassificationUnits(ClassificationUnits&&) noexcept;
   ClassificationUnits& operator=(ClassificationUnits&&) noexcept;
   ~ClassificationUnits();

@@ -3,8 +3,8 @@
 
 /// Classifying the manifolds from nothing, and validating the stored tables against that.
 ///
-/// From nothing: every closed orientable gluing whose links are tori or surfaces of higher genus, no edge of
-/// valence below 3; the geometric ones are solved, canonized and told apart by isometry signature; those that
+/// From nothing: every closed gluing whose links are no spheres and no projective planes, no edge of valence
+/// below 3; the geometric ones are solved, canonized and told apart by isometry signature; those that
 /// fewer tetrahedra make are left out. Source: Frigerio-Martelli-Petronio 2004; Yin, section 4.3.4.
 
 #include "tetrarch/catalogue/manifold.hpp"
@@ -21,7 +21,7 @@ namespace tetrarch::catalogue {
 
 /// The numbers of a classification, for the record.
 struct Tally {
-  int gluings = 0;   ///< closed orientable gluings that qualify
+  int gluings = 0;   ///< closed gluings that qualify
   int geometric = 0; ///< of them, those that carry a structure
   int elsewhere = 0; ///< of the others, those whose manifold has a structure on another triangulation
   int none = 0;      ///< of the others, those that are proved not to be hyperbolic
@@ -85,10 +85,10 @@ struct WorkOptions {
 /// four. Every structure is certified and its cells are proved; gluings without one are looked at again, on
 /// other triangulations. What is not settled is listed. Deterministic for any number of threads. Throws
 /// PreconditionError unless tetrahedra >= 1.
-Classification classify_manifolds(int tetrahedra, int threads = 1, const Progress& progress = {});
+Classification classify_manifolds(TableKey table, int threads = 1, const Progress& progress = {});
 /// The same in units (enumeration::GluingUnits), which may be kept, taken from earlier runs, and shared out.
 /// The result depends on none of that. A unit that was kept counts only if it is one of the very gluings.
-Classification classify_manifolds(int tetrahedra, const WorkOptions& options, const Progress& progress = {});
+Classification classify_manifolds(TableKey table, const WorkOptions& options, const Progress& progress = {});
 
 /// Published numbers of a table, as an outside witness.
 struct Published {
@@ -100,7 +100,7 @@ struct Published {
   const char* source = "";
 };
 /// Nothing if no numbers are published.
-std::optional<Published> published(int tetrahedra);
+std::optional<Published> published(TableKey table);
 
 /// The result of rebuilding the stored tables and solving them again.
 struct Validation {
@@ -122,7 +122,7 @@ struct Validation {
   std::vector<std::string> failures;
 };
 
-/// Rebuilds and re-solves. Throws InputError if no table of that many tetrahedra is stored.
-Validation validate(int tetrahedra, int threads = 1, const Progress& progress = {});
+/// Rebuilds and re-solves. Throws InputError if no such table is stored.
+Validation validate(TableKey table, int threads = 1, const Progress& progress = {});
 
 } // namespace tetrarch::catalogue

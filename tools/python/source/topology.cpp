@@ -411,10 +411,15 @@ void bind_topology(py::module_& module) {
   module.def("moved", moved);
   module.def("components", components_of);
   module.def("same_gluings", same_gluings);
-  module.def("stored_tables", [] { return catalogue::stored_tables(); });
-  module.def("table_text", [](int tetrahedra) {
-    catalogue::require_table(tetrahedra);
-    return std::string(catalogue::stored_table_text(tetrahedra));
+  module.def("stored_tables", [](bool orientable) {
+    std::vector<int> found;
+    for (const catalogue::TableKey table : catalogue::stored_tables())
+      if (table.orientable == orientable) found.push_back(table.tetrahedra);
+    return found;
+  });
+  module.def("table_text", [](int tetrahedra, bool orientable) {
+    catalogue::require_table({tetrahedra, orientable});
+    return std::string(catalogue::stored_table_text({tetrahedra, orientable}));
   });
 }
 

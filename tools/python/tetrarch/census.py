@@ -42,19 +42,19 @@ class CensusManifold(Manifold):
         self.__init__(state["entry"])  # type: ignore[misc]
 
 
-def census_tables() -> List[int]:
-    """The numbers of tetrahedra of which there are tables.
+def census_tables(orientable: bool = True) -> List[int]:
+    """The numbers of tetrahedra of which there are tables, of orientable manifolds or of the others.
 
     >>> import tetrarch as tt
-    >>> tt.census_tables()
-    [2, 3, 4]
+    >>> tt.census_tables(), tt.census_tables(orientable=False)
+    ([2, 3, 4], [2, 3])
     """
-    return _tetrarch.stored_tables()
+    return _tetrarch.stored_tables(bool(orientable))
 
 
 @functools.lru_cache(maxsize=None)
-def _entries(tetrahedra: int) -> Tuple[Dict[str, Any], ...]:
-    return tuple(json.loads(_tetrarch.table_text(tetrahedra))["manifolds"])
+def _entries(tetrahedra: int, orientable: bool) -> Tuple[Dict[str, Any], ...]:
+    return tuple(json.loads(_tetrarch.table_text(tetrahedra, orientable))["manifolds"])
 
 
 def _bounds(given: Any, name: str) -> Tuple[float, float]:
@@ -175,10 +175,11 @@ def _text(given: Any) -> str:
 
 
 def census(tetrahedra: int, *, volume: Optional[_Range] = None, boundary: Union[None, int, Sequence[int]] = None,
-           homology: Union[None, str, AbelianGroup] = None, cusps: Optional[int] = None) -> Census:
-    """The table of orientable hyperbolic manifolds with geodesic boundary (and cusps) of so many tetrahedra, or a part of it.
+           homology: Union[None, str, AbelianGroup] = None, cusps: Optional[int] = None, orientable: bool = True) -> Census:
+    """The table of hyperbolic manifolds with geodesic boundary (and cusps) of so many tetrahedra, or a part of it.
 
-    The arguments are those of `Census.filter`. Source: Frigerio, Martelli, Petronio (2004).
+    The arguments are those of `Census.filter`; with orientable=False it is the table of those that are not orientable, in whose
+    `boundary` a sphere with k crosscaps is -k. Source: Frigerio, Martelli, Petronio (2004) for the orientable ones.
 
     >>> import tetrarch as tt
     >>> tt.census(2)
@@ -188,4 +189,4 @@ def census(tetrahedra: int, *, volume: Optional[_Range] = None, boundary: Union[
     fmp3_25 7.797637 Z^3
     """
     number = _integer(tetrahedra, "tetrahedra")
-    return Census(number, _entries(number)).filter(volume=volume, boundary=boundary, homology=homology, cusps=cusps)
+    return Census(number, _entries(number, bool(orientable))).filter(volume=volume, boundary=boundary, homology=homology, cusps=cusps)
