@@ -165,6 +165,8 @@ std::string read_file(const std::string& path, std::size_t limit) {
     fail(path, "is a directory, expected a file");
   std::string content;
   constexpr std::size_t chunk = std::size_t{1} << 20;
+  if (about.st_size > 0 && static_cast<std::size_t>(about.st_size) <= limit)
+    content.reserve(static_cast<std::size_t>(about.st_size) + chunk); // the last read finds the end
   std::size_t size = 0;
   for (;;) {
     content.resize(size + chunk);

@@ -117,10 +117,6 @@ bool MeshCursor::line_goes_on() {
          (comment_ == '\0' || text_[at_] != comment_);
 }
 
-std::string MeshCursor::peek_capitals() {
-  return capitals(peek());
-}
-
 std::string_view MeshCursor::peek() {
   skip_space();
   std::size_t end = at_;
@@ -163,8 +159,9 @@ std::array<double, 3> MeshCursor::point() {
 
 std::string_view MeshCursor::rest_of_line() {
   std::size_t end = line_end(at_);
-  for (std::size_t back = text_.find('\\', at_); joins_lines_ && back < end;
-       back = text_.find('\\', back + 1))
+  // Not beyond the end of the line: a file of many lines would be searched to its end for each.
+  const auto next_back = [&](std::size_t from) { return text_.substr(0, end).find('\\', from); };
+  for (std::size_t back = joins_lines_ ? next_back(at_) : end; back < end; back = next_back(back + 1))
     if (joined(back) != back) {
       ++line_;
       end = line_end(joined(back));

@@ -53,8 +53,6 @@ public:
   std::string_view rest_of_line();
   /// Whether another token stands on the current line; moves to it.
   bool line_goes_on();
-  /// The next token in capitals, which stays where it is: for formats whose writers disagree.
-  std::string peek_capitals();
   /// Whether the line after the current one begins with `word`. Nothing moves.
   bool next_line_begins_with(std::string_view word) const;
   /// The next `size` bytes, in which lines mean nothing: from here on `line` is 0. Throws InputError if there

@@ -78,7 +78,11 @@ public:
   }
 
 private:
-  bool is_next(std::string_view word) { return in_.peek_capitals() == word; }
+  bool is_next(std::string_view word) {
+    const std::string_view next = in_.peek();
+    return next.size() == word.size() &&
+           capitals(next) == word; // short enough to be made without an allocation
+  }
   void expect(std::string_view word) {
     const std::string_view found = in_.token(word);
     if (capitals(found) != capitals(word)) in_.fail(found, word);

@@ -67,6 +67,10 @@ bool is_type_among(int type, std::initializer_list<int> list) {
 
 /// VTK's documentation looks at the base of a wedge from the other side than we do, and its pixels and
 /// voxels run along the axes.
+bool has_other_order(int type, Shape shape) {
+  return type == pixel || type == voxel || shape == Shape::prism;
+}
+
 std::vector<int> in_our_order(int type, Shape shape, std::span<const int> points) {
   std::vector<int> nodes(points.begin(), points.end());
   if (type == pixel || type == voxel) std::swap(nodes[2], nodes[3]);
@@ -102,7 +106,9 @@ void add_vtk_cell(Cells& cells, Ledger& passed_over, int type, std::span<const i
       static_cast<std::size_t>(known->nodes > 0 ? known->nodes : corner_count(known->shape));
   if (known->nodes > 0 ? points.size() != expected : points.size() < expected)
     refuse_count(points.size(), expected, name, place);
-  cells.add(known->shape, in_our_order(type, known->shape, points), name);
+  if (has_other_order(type, known->shape)) // a copy costs more than all else
+    return cells.add(known->shape, in_our_order(type, known->shape, points), name);
+  cells.add(known->shape, points, name);
 }
 
 void add_vtk_polyhedron(Cells& cells, std::span<const int> stream, int first_point, std::size_t points,

@@ -47,8 +47,11 @@ double VtkNumbers::real(VtkScalar type) {
 }
 
 std::int64_t VtkNumbers::integer(std::string_view type_name, std::string_view expected, std::int64_t least) {
+  return integer(binary ? type(type_name) : VtkScalar{}, expected, least);
+}
+
+std::int64_t VtkNumbers::integer(VtkScalar type, std::string_view expected, std::int64_t least) {
   if (!binary) return in_.integer(expected, least, most_elements);
-  const VtkScalar type = this->type(type_name);
   const char* const raw = in_.bytes(type.size, expected).data();
   std::int64_t value = least - 1;
   if (!type.real && type.size == 4) value = load<std::int32_t>(raw, vtk_swapped);
@@ -57,8 +60,9 @@ std::int64_t VtkNumbers::integer(std::string_view type_name, std::string_view ex
   return value;
 }
 
-std::vector<int> VtkNumbers::integers(std::string_view type, std::int64_t count) {
+std::vector<int> VtkNumbers::integers(std::string_view type_name, std::int64_t count) {
   begin_data();
+  const VtkScalar type = binary && count > 0 ? this->type(type_name) : VtkScalar{};
   std::vector<int> out;
   out.reserve(in_.believable(count, 2));
   for (std::int64_t i = 0; i < count; ++i)

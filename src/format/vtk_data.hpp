@@ -13,8 +13,8 @@
 namespace tetrarch::format {
 
 struct VtkScalar {
-  std::size_t size; ///< bytes; 0: a bit
-  bool real;
+  std::size_t size = 0; ///< bytes; 0: a bit
+  bool real = false;
 };
 
 class VtkNumbers {
@@ -39,6 +39,7 @@ public:
   void pass_over_array(std::string_view type, std::int64_t count);
 
 private:
+  std::int64_t integer(VtkScalar type, std::string_view expected, std::int64_t least);
   void pass_over_string();
 
   MeshCursor& in_;

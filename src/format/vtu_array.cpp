@@ -3,6 +3,8 @@
 
 #include "mesh_cursor.hpp"
 
+#include <array>
+#include <cstdint>
 #include <type_traits>
 #include <utility>
 
@@ -15,13 +17,18 @@ namespace {
   throw InputError(Place{storage.source, 0}, "the array " + in_quotes(name) + " " + what);
 }
 
-/// The value of a base64 digit, or -1.
+/// The values of base64's digits by their bytes, and -1.
+constexpr std::array<std::int8_t, 256> base64_digits = [] {
+  std::array<std::int8_t, 256> values{};
+  values.fill(-1);
+  constexpr std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  for (std::size_t k = 0; k < digits.size(); ++k)
+    values[static_cast<unsigned char>(digits[k])] = static_cast<std::int8_t>(k);
+  return values;
+}();
+
 int base64_digit(char c) {
-  if (c >= 'A' && c <= 'Z') return c - 'A';
-  if (c >= 'a' && c <= 'z') return c - 'a' + 26;
-  if (c >= '0' && c <= '9') return c - '0' + 52;
-  if (c == '+') return 62;
-  return c == '/' ? 63 : -1;
+  return base64_digits[static_cast<unsigned char>(c)];
 }
 
 /// Bytes one after the other, from base64 or as they are. Padding within base64 ends a group of bytes, not
@@ -40,11 +47,14 @@ public:
 
   std::string take(std::uint64_t size) {
     if (size > text_.size() + buffer_.size()) refuse_array(storage_, array_, "ends too early");
-    while (base64_ && buffer_.size() < size) decode_group();
     std::string out;
     if (base64_) {
-      out = buffer_.substr(0, size);
-      buffer_.erase(0, size);
+      buffer_.reserve(size + 3);
+      decode_plain_groups(size);
+      while (buffer_.size() < size) decode_group();
+      const std::string rest = buffer_.substr(size); // a byte or two
+      buffer_.resize(size);
+      out = std::exchange(buffer_, rest);
     } else {
       out = text_.substr(0, size);
       text_.remove_prefix(size);
@@ -59,6 +69,23 @@ public:
   }
 
 private:
+  /// Four digits by four, up to the first that is none, or until there are `size` bytes.
+  void decode_plain_groups(std::uint64_t size) {
+    std::size_t at = 0;
+    for (; buffer_.size() < size && at + 4 <= text_.size(); at += 4) {
+      const int a = base64_digit(text_[at]);
+      const int b = base64_digit(text_[at + 1]);
+      const int c = base64_digit(text_[at + 2]);
+      const int d = base64_digit(text_[at + 3]);
+      if ((a | b | c | d) < 0) break;
+      const int bits = a << 18 | b << 12 | c << 6 | d;
+      const std::array<char, 3> bytes{static_cast<char>(bits >> 16), static_cast<char>(bits >> 8 & 0xff),
+                                      static_cast<char>(bits & 0xff)};
+      buffer_.append(bytes.data(), bytes.size());
+    }
+    text_.remove_prefix(at);
+  }
+
   void decode_group() {
     std::array<int, 4> digits{};
     int padding = 0;

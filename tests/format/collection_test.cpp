@@ -41,6 +41,9 @@ TEST_CASE("a ledger adds up what was passed over", "[collection]") {
   other.note("byte");
   ledger.add(other);
   CHECK(ledger.entries() == std::vector<Ledger::Entry>{{"text packet", 3}, {"link", 4}, {"byte", 1}});
+  for (int k = 3; k < 60; ++k) ledger.note("array " + std::to_string(k));
+  CHECK(ledger.entries().size() == 60);
+  CHECK(ledger.sentence().ends_with("array 48, array 49 and 10 other kinds of things"));
 }
 
 TEST_CASE("decorated signatures are read and their decorations noted", "[collection]") {

@@ -11,7 +11,7 @@ import tempfile
 import time
 import unittest
 
-from running import INSTRUMENTED, PROGRAM, InFolder, run, run_json, seconds_of_work, wait_until_it_listens
+from running import INSTRUMENTED, PROGRAM, SLOWER, InFolder, run, run_json, seconds_of_work, wait_until_it_listens
 
 ODD = "0.84375"  # a coordinate that stands once in the file, exact as a float
 TETRAHEDRON = f"OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 {ODD}\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n"
@@ -273,6 +273,19 @@ class Growth(InFolder):
         self.assertEqual(done.returncode, 0)
         self.assertIn("there are more 0-2 moves at edges", done.stderr)
         self.assertLess(work, 10)
+
+    def test_lines_that_are_passed_over_cost_no_more_than_themselves(self):
+        corners = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"
+        groups = self.path("groups.obj", corners + "g part\nusemtl paint\n" * 200_000 + "v 0 0 1\n" * 400_000)
+        head = ("# vtk DataFile Version 3.0\nx\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 3 float\n0 0 0 1 0 0 0 1 0\nCELLS 1 4\n"
+                "3 0 1 2\nCELL_TYPES 1\n5\nCELL_DATA 1\n")
+        arrays = self.path("arrays.vtk", head + "FIELD f 60000\n" + "".join(f"a{k} 1 1 int\n{k}\n" for k in range(60_000)))
+        for path, told in ((groups, "name of a group (200000)"), (arrays, "and 59950 other kinds of things")):
+            done, work = seconds_of_work("convert", path, "-o", self.path("out.off"))
+            self.assertEqual(done.returncode, 0, path)
+            self.assertIn(told, done.stderr)
+            self.assertLess(len(done.stderr), 5000)
+            self.assertLess(work, 3 * SLOWER)
 
     def test_a_hub_is_not_walked_round_for_every_tetrahedron(self):
         times = []

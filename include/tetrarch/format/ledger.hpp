@@ -8,7 +8,10 @@
 ///
 /// A reader notes each thing where it leaves it; whoever shows the result says the whole ledger in one line.
 
+#include <cstddef>
 #include <cstdint>
+#include <functional>
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -23,7 +26,8 @@ public:
     friend bool operator==(const Entry&, const Entry&) = default;
   };
 
-  /// Adds to the entry of that name, or begins it. Nothing happens where `count` is 0. O(entries).
+  /// Adds to the entry of that name, or begins it. Nothing happens where `count` is 0. O(log
+  /// of the number of entries).
   void note(std::string_view what, std::int64_t count = 1);
   /// The entries of the other one are added to these.
   void add(const Ledger& other);
@@ -31,12 +35,14 @@ public:
   bool empty() const { return entries_.empty(); }
   /// In the order in which they were first noted.
   const std::vector<Entry>& entries() const { return entries_; }
-  /// "passed over: text packet (3), script packet"; empty if there is nothing to say.
+  /// "passed over: text packet (3), script packet"; empty if there is nothing to say. No more than fifty
+  /// entries are named.
   std::string sentence(std::string_view beginning = "passed over") const;
   friend bool operator==(const Ledger&, const Ledger&) = default;
 
 private:
   std::vector<Entry> entries_;
+  std::map<std::string, std::size_t, std::less<>> places_; ///< in entries_
 };
 
 } // namespace tetrarch::format
