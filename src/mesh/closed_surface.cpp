@@ -10,8 +10,8 @@ namespace tetrarch::mesh {
 namespace {
 
 bool keeps_from_filling(Kind kind) {
-  return kind != Kind::flat && kind != Kind::unused_vertex && kind != Kind::coincident_vertex &&
-         kind != Kind::inside_out;
+  return kind != Kind::flat && kind != Kind::thin && kind != Kind::unused_vertex &&
+         kind != Kind::coincident_vertex && kind != Kind::inside_out;
 }
 
 [[noreturn]] void refuse_boundary(const format::Soup& surface, Side s) {

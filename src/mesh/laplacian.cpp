@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "tetrarch/mesh/laplacian.hpp"
 
+#include "thin_triangles.hpp"
+
 #include "tetrarch/core/error.hpp"
 #include "tetrarch/numeric/sparse_cholesky.hpp"
 #include "tetrarch/numeric/vector.hpp"
@@ -18,21 +20,6 @@ namespace {
 /// fewer than four digits of it would be left.
 constexpr double largest_cotangent = 1e12;
 
-double cotangent(const numeric::Point& at, const numeric::Point& p, const numeric::Point& q) {
-  using namespace numeric;
-  Vector a = p - at;
-  Vector b = q - at;
-  // Products of three tiny edges underflow, of huge ones overflow; powers of two change no digit.
-  double size = 0;
-  for (std::size_t k = 0; k < 3; ++k) size = std::max({size, std::abs(a[k]), std::abs(b[k])});
-  constexpr double least = 1e-60;
-  constexpr double most = 1e60;
-  if (!(least < size && size < most) && size > 0 && std::isfinite(size))
-    for (auto* const e : {&a, &b})
-      for (std::size_t k = 0; k < 3; ++k) (*e)[k] = std::ldexp((*e)[k], -std::ilogb(size));
-  return dot(a, b) / length(cross(a, b));
-}
-
 } // namespace
 
 std::vector<double> half_cotangents(const TriangleMesh& mesh) {
@@ -43,7 +30,8 @@ std::vector<double> half_cotangents(const TriangleMesh& mesh) {
                                  mesh.points[mesh.surface.to(s)]);
     // Written so that NaN, from three points in one place, is refused too.
     if (!(std::abs(cot) < largest_cotangent))
-      throw InputError("triangle " + std::to_string(s.triangle()) + " (counted from 0) has no area");
+      throw InputError("triangle " + std::to_string(s.triangle()) +
+                       " (counted from 0) has no area, or is too thin to tell; repair mends it");
     weight[k] = cot / 2;
   }
   return weight;

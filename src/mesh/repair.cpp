@@ -9,6 +9,7 @@
 #include "orient.hpp"
 #include "orient_solid.hpp"
 #include "soup_edit.hpp"
+#include "thin_triangles.hpp"
 
 #include "tetrarch/numeric/union_find.hpp"
 
@@ -210,6 +211,17 @@ bool all_finite(const format::Soup& soup) {
   return std::all_of(soup.points.begin(), soup.points.end(), is_finite);
 }
 
+/// The triangles are oriented by now, and those that were not proper are gone.
+void mend_thin(Repaired& result) {
+  format::Soup& soup = result.soup;
+  const auto is_fit = [&soup](const auto& triangle) { return is_proper(soup, triangle); };
+  if (!all_finite(soup) || !std::all_of(soup.triangles.begin(), soup.triangles.end(), is_fit)) return;
+  const ThinMended mended = mend_thin_triangles(soup);
+  if (mended.collapsed > 0) result.done.push_back(counted("collapsed", mended.collapsed, "edges of needles"));
+  if (mended.flipped > 0) result.done.push_back(counted("flipped", mended.flipped, "edges behind caps"));
+  if (mended.removed > 0) result.done.push_back(counted("removed", mended.removed, "caps at the boundary"));
+}
+
 /// The triangles are oriented by now.
 void turn_inside_out(Repaired& result, const Surface& surface, const Signs& signs) {
   format::Soup& soup = result.soup;
@@ -248,6 +260,12 @@ void orient(Repaired& result) {
 
 } // namespace
 
+Repaired split_pinches(format::Soup surface) {
+  Repaired result{std::move(surface), {}};
+  split_pinched_surface(result);
+  return result;
+}
+
 Repaired repair(format::Soup soup) {
   Repaired result{std::move(soup), {}};
   const bool is_surface = result.soup.tetrahedra.empty();
@@ -256,6 +274,7 @@ Repaired repair(format::Soup soup) {
     remove_duplicate_triangles(result);
     orient(result);
     split_pinched_surface(result);
+    mend_thin(result);
   } else {
     remove_duplicate_tetrahedra(result);
     const std::vector<char> proper = proper_tetrahedra(result.soup);

@@ -10,7 +10,8 @@ namespace {
 
 /// Duplicates can be repaired, but a mesh cannot have them.
 bool keeps_from_meshing(Kind kind) {
-  return severity_of(kind) == Severity::fatal || kind == Kind::duplicate;
+  return (severity_of(kind) == Severity::fatal && kind != Kind::non_manifold_vertex) ||
+         kind == Kind::duplicate;
 }
 
 } // namespace
@@ -22,6 +23,8 @@ TetMesh build(format::Soup soup) {
 
 TetMesh build(format::Soup soup, const Report& report) {
   refuse(soup, report, keeps_from_meshing);
+  refuse(
+      soup, report, [](Kind kind) { return kind == Kind::non_manifold_vertex; }, "; --repair splits it");
   return {std::move(soup.points), std::move(soup.tetrahedra)};
 }
 

@@ -34,8 +34,11 @@ TriangleMesh build_surface(format::Soup soup) {
 }
 
 TriangleMesh build_surface(format::Soup soup, const Report& report) {
-  refuse(soup, report,
-         [](Kind kind) { return severity_of(kind) == Severity::fatal || kind == Kind::several_components; });
+  const auto is_pinch = [](Kind kind) { return kind == Kind::non_manifold_vertex; };
+  refuse(soup, report, [&](Kind kind) {
+    return (severity_of(kind) == Severity::fatal && !is_pinch(kind)) || kind == Kind::several_components;
+  });
+  refuse(soup, report, is_pinch, "; --repair splits it");
   refuse(
       soup, report, [](Kind kind) { return severity_of(kind) == Severity::repairable; },
       "; --repair mends this");

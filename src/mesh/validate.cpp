@@ -20,16 +20,27 @@ struct KindRow {
 
 /// In the order of `Kind`.
 constexpr std::array<KindRow, kind_count> kinds{{
-    {"no_tetrahedra", Severity::fatal},      {"no_triangles", Severity::fatal},
-    {"not_finite", Severity::fatal},         {"index_out_of_range", Severity::fatal},
-    {"repeated_vertex", Severity::fatal},    {"degenerate", Severity::repairable},
-    {"duplicate", Severity::repairable},     {"face_shared", Severity::fatal},
-    {"non_manifold_edge", Severity::fatal},  {"non_manifold_vertex", Severity::fatal},
-    {"inverted", Severity::repairable},      {"folded", Severity::remark},
-    {"turned", Severity::repairable},        {"flat", Severity::remark},
-    {"not_orientable", Severity::remark},    {"unused_vertex", Severity::repairable},
-    {"coincident_vertex", Severity::remark}, {"stray_triangle", Severity::remark},
-    {"inside_out", Severity::remark},        {"several_components", Severity::remark},
+    {"no_tetrahedra", Severity::fatal},
+    {"no_triangles", Severity::fatal},
+    {"not_finite", Severity::fatal},
+    {"index_out_of_range", Severity::fatal},
+    {"repeated_vertex", Severity::fatal},
+    {"degenerate", Severity::repairable},
+    {"duplicate", Severity::repairable},
+    {"face_shared", Severity::fatal},
+    {"non_manifold_edge", Severity::fatal},
+    {"non_manifold_vertex", Severity::fatal},
+    {"inverted", Severity::repairable},
+    {"folded", Severity::remark},
+    {"turned", Severity::repairable},
+    {"flat", Severity::remark},
+    {"thin", Severity::remark},
+    {"not_orientable", Severity::remark},
+    {"unused_vertex", Severity::repairable},
+    {"coincident_vertex", Severity::remark},
+    {"stray_triangle", Severity::remark},
+    {"inside_out", Severity::remark},
+    {"several_components", Severity::remark},
 }};
 
 /// Looks at the parts of a soup from the simplest on; each look builds on what the earlier ones left.

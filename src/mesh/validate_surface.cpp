@@ -5,6 +5,7 @@
 #include "enclosed.hpp"
 #include "findings.hpp"
 #include "orient.hpp"
+#include "thin_triangles.hpp"
 
 #include "tetrarch/numeric/predicates.hpp"
 #include "tetrarch/numeric/union_find.hpp"
@@ -86,6 +87,8 @@ void SurfaceValidator::look_at_area(int t) {
   if (!is_finite(point(a)) || !is_finite(point(b)) || !is_finite(point(c))) return;
   if (is_flat(point(a), point(b), point(c)))
     add_element(Kind::flat, t, [&] { return element(t) + " has no area"; });
+  else if (is_thin(point(a), point(b), point(c)))
+    add_element(Kind::thin, t, [&] { return element(t) + " is thin: it has an angle below 1e-10"; });
 }
 
 /// Repair would leave none. Points that lie about are then nobody's concern.

@@ -23,11 +23,12 @@ std::vector<std::string> mend(format::Soup& soup, const Doctor& doctor) {
     soup = mesh::component(std::move(soup), *doctor.component);
     done.push_back("took component " + std::to_string(*doctor.component) + " of " + std::to_string(count));
   }
-  if (doctor.repair) {
-    mesh::Repaired repaired = mesh::repair(std::move(soup));
+  const auto take = [&](mesh::Repaired repaired) {
     soup = std::move(repaired.soup);
     done.insert(done.end(), repaired.done.begin(), repaired.done.end());
-  }
+  };
+  if (doctor.split_pinches && soup.tetrahedra.empty()) take(mesh::split_pinches(std::move(soup)));
+  if (doctor.repair) take(mesh::repair(std::move(soup)));
   return done;
 }
 

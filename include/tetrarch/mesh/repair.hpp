@@ -12,8 +12,9 @@
 /// left of it is an edge, at which its neighbors then meet); of several triangles on the same three vertices
 /// the first is kept; each orientable component gets the orientation that most of its triangles have, of two
 /// halves that of the first triangle; a closed component that lies in no other one and is inside out is
-/// turned round; a vertex at which triangles fall apart becomes several; points that no triangle names are
-/// removed.
+/// turned round; a vertex at which triangles fall apart becomes several; a triangle with an angle below 1e-10
+/// is taken out, as far as no other one is turned over: of a needle the shortest edge is collapsed, of a cap
+/// the longest edge is flipped; points that no triangle names are removed.
 ///
 /// Law: of the findings of `validate` or `validate_surface` on the result, none is repairable, unless an
 /// index is out of range; then unused points are kept, as renumbering would make another point of it. So a
@@ -34,5 +35,9 @@ struct Repaired {
 
 /// The rest keeps its numbers and lines in the file. O(n log n) in the worst case, in practice linear.
 Repaired repair(format::Soup soup);
+
+/// Of a surface, which is a soup of triangles alone, this alone: a vertex at which triangles fall apart
+/// becomes several, so that holes that met in a vertex are one. O(n).
+Repaired split_pinches(format::Soup surface);
 
 } // namespace tetrarch::mesh

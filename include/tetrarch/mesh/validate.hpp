@@ -60,6 +60,7 @@ enum class Kind : std::uint8_t {
   folded,
   turned,
   flat,
+  thin,
   not_orientable,
   unused_vertex,
   coincident_vertex,
@@ -67,7 +68,7 @@ enum class Kind : std::uint8_t {
   inside_out,
   several_components,
 };
-inline constexpr int kind_count = 20;
+inline constexpr int kind_count = 21;
 
 enum class Severity : std::uint8_t { fatal, repairable, remark };
 

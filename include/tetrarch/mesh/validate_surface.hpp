@@ -14,6 +14,7 @@
 /// | non_manifold_vertex | fatal      | the triangles around a vertex on no such edge fall apart         |
 /// | turned              | repairable | a triangle is turned against most of an orientable component     |
 /// | flat                | remark     | the area is zero, decided exactly                                |
+/// | thin                | remark     | an angle is below 1e-10, and the area is not zero                |
 /// | not_orientable      | remark     | a component is not orientable                                    |
 /// | unused_vertex       | repairable | a point is in no triangle                                        |
 /// | coincident_vertex   | remark     | a used point has the coordinates of an earlier one               |
