@@ -78,7 +78,7 @@ struct CircularOptions {
   double tolerance = 1e-9;
   int most_rounds = 60;
   int samples = 128;       ///< of each curve at first, a power of 2
-  int most_samples = 2048; ///< doubled up to here while curves are not resolved
+  int most_samples = 8192; ///< doubled up to here while curves are not resolved
 };
 
 /// Throws PreconditionError unless 0 < inner < radius < 1 and the length is positive for all slits; there is
