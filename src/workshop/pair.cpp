@@ -9,7 +9,6 @@
 #include "tetrarch/workshop/diagram.hpp"
 #include "tetrarch/workshop/text.hpp"
 
-#include <algorithm>
 #include <array>
 #include <optional>
 #include <utility>
@@ -314,11 +313,9 @@ const FieldList<PairComparison>& fields_of<PairComparison>() {
 
 std::vector<FieldNote> notes_with_pairs() {
   std::vector<FieldNote> notes = notes_of<Isometry>();
-  for (const FieldNote& note : notes_of<PairComparison>())
-    if (std::none_of(notes.begin(), notes.end(),
-                     [&note](const FieldNote& n) { return std::string(n.name) == note.name; }))
-      notes.push_back(note);
-  return notes;
+  const std::vector<FieldNote> more = notes_of<PairComparison>();
+  notes.insert(notes.end(), more.begin(), more.end());
+  return each_once(notes);
 }
 
 } // namespace tetrarch::workshop

@@ -7,9 +7,11 @@
 #include "tetrarch/workshop/canonical.hpp"
 #include "tetrarch/workshop/check.hpp"
 #include "tetrarch/workshop/embed.hpp"
+#include "tetrarch/workshop/fingerprint.hpp"
 #include "tetrarch/workshop/identify.hpp"
 #include "tetrarch/workshop/info.hpp"
 #include "tetrarch/workshop/open.hpp"
+#include "tetrarch/workshop/slit.hpp"
 #include "tetrarch/workshop/structure.hpp"
 #include "tetrarch/workshop/truncate.hpp"
 #include "tetrarch/workshop/verify.hpp"
@@ -66,6 +68,14 @@ TEST_CASE("every result lists its fields once", "[workshop]") {
   for (const char* name : {"cube.off", "ring_two_holes.off", "gmsh_solid.mesh"})
     check_list(check(open_mesh(meshes + name)));
   check_list(circle_bundle(surface_of(open_mesh(meshes + "cube.off"))));
+  const HoledSurface ring = opened(surface_of(open_mesh(meshes + "ring_two_holes.off")));
+  check_list(ring);
+  for (const MapDomain domain : {MapDomain::cylindric, MapDomain::circular, MapDomain::rectangle}) {
+    MapOptions options;
+    options.domain = domain;
+    check_list(conformal_map(ring, options));
+  }
+  check_list(conformal_type(ring));
 }
 
 TEST_CASE("a structure is found, or the answer says what kind of no it is", "[workshop]") {

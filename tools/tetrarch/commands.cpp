@@ -7,6 +7,7 @@
 #include "tetrarch/workshop/diagram.hpp"
 #include "tetrarch/workshop/embed.hpp"
 #include "tetrarch/workshop/filling.hpp"
+#include "tetrarch/workshop/fingerprint.hpp"
 #include "tetrarch/workshop/identify.hpp"
 #include "tetrarch/workshop/info.hpp"
 #include "tetrarch/workshop/pair.hpp"
@@ -81,7 +82,8 @@ const std::vector<Command>& commands() {
        workshop::notes_of<workshop::SurfaceBundle>},
       {meshes, "slit",
        "map a sphere with holes conformally to a cylinder, rectangle or ring with slits, or to a disk",
-       "slit samples/ring_two_holes.off -o ring_two_holes.svg", declare_slit},
+       "slit samples/ring_two_holes.off -o ring_two_holes.svg", declare_slit, false,
+       workshop::notes_of_maps_and_types},
       {meshes, "register",
        "resample a surface with holes by the triangles of another, through circular domains",
        "register samples/ring_two_holes.off samples/ring_two_holes.off", declare_register},

@@ -38,25 +38,20 @@ bool is_json(const std::string& path) {
   return format::has_extension(path, ".json");
 }
 
-struct Input {
-  mesh::OpenedMesh surface;
-  std::vector<mesh::BoundaryLoop> loops;
-};
-
-Input read_input(const std::string& path, const Doctor& doctor, Result& result, const Context& context) {
+workshop::HoledSurface read_input(const std::string& path, const Doctor& doctor, Result& result,
+                                  const Context& context) {
   const SurfaceInput input = read_surface(path, context, doctor);
   result.warnings.insert(result.warnings.end(), input.warnings.begin(), input.warnings.end());
-  Input read_input{opened(input, {}, {}), {}};
-  read_input.loops = mesh::boundary_loops(read_input.surface.mesh);
-  return read_input;
+  return workshop::opened(input);
 }
 
 /// Of each loop of the first surface the loop of the second one.
-std::vector<int> matching(const RegisterArguments& options, const Input& first, const Input& second) {
+std::vector<int> matching(const RegisterArguments& options, const workshop::HoledSurface& first,
+                          const workshop::HoledSurface& second) {
   std::vector<int> result;
   std::istringstream words(options.match);
   for (std::string word; std::getline(words, word, ',');)
-    result.push_back(loop_named(word, "--match", second.surface, second.loops));
+    result.push_back(loop_named(word, "--match", second));
   if (result.size() != first.loops.size())
     throw InputError("--match " + in_quotes(options.match) + ": expected a loop of " + options.second +
                      " for each of the " +
@@ -65,9 +60,10 @@ std::vector<int> matching(const RegisterArguments& options, const Input& first, 
   return result;
 }
 
-slit::OneForms one_forms(const Input& input, const std::string& path, const Progress& progress) {
+slit::OneForms one_forms(const workshop::HoledSurface& input, const std::string& path,
+                         const Progress& progress) {
   try {
-    return slit::OneForms(input.surface.mesh, progress, slit::Edges::intrinsic_delaunay);
+    return slit::OneForms(input.mesh(), progress, slit::Edges::intrinsic_delaunay);
   } catch (const InputError& e) {
     throw InputError({path, 0}, e.what());
   }
@@ -229,8 +225,8 @@ Result run_register(const RegisterArguments& options, const Context& context) {
           "this command writes no file with this extension (expected .json, .obj, .ply, .vtu or .glb)");
   }
   Result result;
-  const Input first = read_input(options.first, options.doctor, result, context);
-  const Input second = read_input(options.second, options.doctor, result, context);
+  const workshop::HoledSurface first = read_input(options.first, options.doctor, result, context);
+  const workshop::HoledSurface second = read_input(options.second, options.doctor, result, context);
   if (first.loops.size() != second.loops.size())
     throw InputError({options.second, 0},
                      "has " + counted(static_cast<long long>(second.loops.size()), "boundary loop") +
@@ -239,8 +235,8 @@ Result run_register(const RegisterArguments& options, const Context& context) {
   const slit::OneForms b = one_forms(second, options.second, context.progress);
   slit::LoopPair pair = slit::farthest_loops(a);
   if (!options.outer.empty() || !options.inner.empty())
-    pair = {loop_named(options.outer.empty() ? "0" : options.outer, "--outer", first.surface, first.loops),
-            loop_named(options.inner.empty() ? "1" : options.inner, "--inner", first.surface, first.loops)};
+    pair = {loop_named(options.outer.empty() ? "0" : options.outer, "--outer", first),
+            loop_named(options.inner.empty() ? "1" : options.inner, "--inner", first)};
   slit::RegistrationOptions how;
   how.aligned = !options.as_placed;
   how.unflip = options.unflip;

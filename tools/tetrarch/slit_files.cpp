@@ -8,9 +8,7 @@
 #include "tetrarch/scene/page.hpp"
 #include "tetrarch/show/quads.hpp"
 
-#include <array>
 #include <utility>
-#include <vector>
 
 namespace tetrarch::program {
 namespace {
@@ -20,52 +18,37 @@ std::string quads_file(const slit::QuadMesh& quads, scene::SceneFormat format) {
                                            : scene::write_scene(show::quad_scene(quads), format);
 }
 
-std::string slit_page(const MadeSlitMap& made, const SlitOptions& options) {
+std::string slit_page(const workshop::ConformalMap& found, const std::string& input) {
+  const mesh::TriangleMesh& mesh = found.surface.mesh();
   scene::InfoTable table{"Map", {}, {}};
-  for (const auto& [name, value] : made.report.rows) table.rows.push_back({name, value});
-  return scene::write_page(scene::TexturePage{options.input + ": " + made.layout.name,
+  for (const auto& [name, value] : map_rows(found)) table.rows.push_back({name, value});
+  return scene::write_page(scene::TexturePage{input + ": " + found.layout.name,
                                               {std::move(table)},
-                                              show::textured_surface(made.mesh, made.layout),
-                                              show::slit_domain(made.mesh, made.layout)});
+                                              show::textured_surface(mesh, found.layout),
+                                              show::slit_domain(mesh, found.layout)});
 }
 
 } // namespace
 
-format::MeshDocument slit_document(const MadeSlitMap& made, const SlitOptions& options) {
-  using enum format::MeshField::On;
-  format::MeshDocument mesh;
-  mesh.soup.points = made.mesh.points;
-  std::vector<std::array<double, 2>> places;
-  std::vector<std::array<double, 2>> textures;
-  for (int t = 0; t < made.mesh.surface.triangle_count(); ++t) {
-    mesh.soup.triangles.push_back(made.mesh.surface.corners(t));
-    for (const int place : made.layout.corners[t]) {
-      places.push_back(made.layout.places[place]);
-      textures.push_back(made.layout.textures[place]);
-    }
-  }
-  mesh.fields = {field_of("place", triangle_corners, places),
-                 field_of("texture", triangle_corners, textures)};
-  for (const scene::Field& f : made.fields.vertices)
-    mesh.fields.push_back(field_of(f.name, vertices, f.values));
-  for (const scene::Field& f : made.fields.triangles)
-    mesh.fields.push_back(field_of(f.name, triangles, f.values));
+format::MeshDocument slit_document(const workshop::ConformalMap& found, const std::string& input) {
+  format::MeshDocument mesh = document_of(found);
   mesh.provenance = format::JsonValue::parse(
-      Json{{"command", "slit"}, {"input", options.input}, {"domain", made.layout.name}}.dump());
+      Json{{"command", "slit"}, {"input", input}, {"domain", found.layout.name}}.dump());
   return mesh;
 }
 
-std::string slit_file(const std::string& path, const MadeSlitMap& made, const SlitOptions& options) {
-  if (format::has_extension(path, ".json")) return write_mesh_json(slit_document(made, options));
-  if (format::has_extension(path, ".svg"))
-    return scene::write_svg(show::slit_drawing(made.mesh, made.layout));
-  if (format::has_extension(path, ".html")) return slit_page(made, options);
+std::string slit_file(const std::string& path, const workshop::ConformalMap& found,
+                      const std::string& input) {
+  const mesh::TriangleMesh& mesh = found.surface.mesh();
+  if (format::has_extension(path, ".json")) return write_mesh_json(slit_document(found, input));
+  if (format::has_extension(path, ".svg")) return scene::write_svg(show::slit_drawing(mesh, found.layout));
+  if (format::has_extension(path, ".html")) return slit_page(found, input);
   const scene::SceneFormat format = *scene::scene_format_for_extension(path);
-  if (made.quads) return quads_file(*made.quads, format);
-  if (format == scene::SceneFormat::obj) return show::textured_obj(made.mesh, made.layout);
+  if (found.quads) return quads_file(found.quads->mesh, format);
+  if (format == scene::SceneFormat::obj) return show::textured_obj(mesh, found.layout);
   return scene::write_scene(format == scene::SceneFormat::vtu
-                                ? show::textured_surface(made.mesh, made.layout, made.fields)
-                                : show::slit_domain(made.mesh, made.layout),
+                                ? show::textured_surface(mesh, found.layout, found.fields)
+                                : show::slit_domain(mesh, found.layout),
                             format);
 }
 

@@ -3,19 +3,17 @@
 
 /// The files that `slit` writes.
 
-#include "slit_maps.hpp"
-
 #include "tetrarch/format/mesh_json.hpp"
+#include "tetrarch/workshop/slit.hpp"
 
 #include <string>
 
 namespace tetrarch::program {
 
-/// The surface with its map: of each corner the place in the domain and the texture coordinates, as vertices
-/// on a seam have two; and what is known at vertices and triangles.
-format::MeshDocument slit_document(const MadeSlitMap& made, const SlitOptions& options);
+/// The surface with its map, and where it came from. `input` as it was typed.
+format::MeshDocument slit_document(const workshop::ConformalMap& found, const std::string& input);
 
 /// The content of a file, by its extension.
-std::string slit_file(const std::string& path, const MadeSlitMap& made, const SlitOptions& options);
+std::string slit_file(const std::string& path, const workshop::ConformalMap& found, const std::string& input);
 
 } // namespace tetrarch::program

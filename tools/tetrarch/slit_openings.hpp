@@ -7,28 +7,27 @@
 #include "surface_input.hpp"
 
 #include "tetrarch/core/progress.hpp"
-#include "tetrarch/mesh/boundary_loops.hpp"
-#include "tetrarch/mesh/opened.hpp"
+#include "tetrarch/workshop/openings.hpp"
 
 #include <string>
 #include <vector>
 
 namespace tetrarch::program {
 
-struct Openings {
+struct OpeningWords {
   std::vector<std::string> punch; ///< "v17:0.5", a vertex and a radius
   std::vector<std::string> slice; ///< "3,17,20", vertices to run through
   bool open_handles = false;
 };
 
 /// Vertices are numbered as in the file, counted from 0. Throws InputError that names the word.
-mesh::OpenedMesh opened(const SurfaceInput& surface, const Openings& openings, const Progress& progress);
+workshop::HoledSurface opened(const SurfaceInput& surface, const OpeningWords& words,
+                              const Progress& progress);
 
 /// The loop that "2" or "v17" means. Throws InputError that names the option and what is there.
-int loop_named(const std::string& name, const char* option, const mesh::OpenedMesh& surface,
-               const std::vector<mesh::BoundaryLoop>& loops);
+int loop_named(const std::string& name, const char* option, const workshop::HoledSurface& surface);
 
 /// The vertex that "v17" means. Throws InputError as above.
-int vertex_named(const std::string& name, const char* option, const mesh::OpenedMesh& surface);
+int vertex_named(const std::string& name, const char* option, const workshop::HoledSurface& surface);
 
 } // namespace tetrarch::program

@@ -7,9 +7,80 @@
 #include "tetrarch/format/text.hpp"
 #include "tetrarch/scene/files.hpp"
 
-namespace tetrarch::program {
+#include <array>
+#include <sstream>
 
-void require_sense(const SlitOptions& options) {
+namespace tetrarch::program {
+namespace {
+
+/// The vertices that the list names. Those of --corners may do without their v.
+std::array<int, 4> corners_named(const std::string& list, const workshop::HoledSurface& surface) {
+  std::vector<std::string> words;
+  std::istringstream stream(list);
+  for (std::string word; std::getline(stream, word, ',');) words.push_back(word);
+  std::array<int, 4> corners{};
+  if (words.size() != corners.size())
+    throw InputError("--corners " + in_quotes(list) + ": expected four vertices");
+  for (std::size_t c = 0; c < corners.size(); ++c)
+    corners[c] = vertex_named(words[c].starts_with('v') ? words[c] : "v" + words[c], "--corners", surface);
+  return corners;
+}
+
+std::optional<int> if_given(int number) {
+  return number < 0 ? std::nullopt : std::optional(number);
+}
+
+/// Loops, vertices and counts, as far as this way of mapping asks for them: the others are passed over.
+void choose_parts(workshop::MapOptions& how, const SlitArguments& options,
+                  const workshop::HoledSurface& surface) {
+  if (options.is_rectangle()) {
+    how.circles.outer = loop_named(options.outer.empty() ? "0" : options.outer, "--outer", surface);
+    if (!options.corners.empty()) how.corners = corners_named(options.corners, surface);
+  } else if (surface.loops.size() == 1) {
+    if (!options.center.empty()) how.center = vertex_named(options.center, "--center", surface);
+  } else {
+    how.circles = circles_named(options, surface);
+    if (options.is_ricci()) return;
+    how.basis = if_given(options.basis);
+    if (!how.basis) how.stage = if_given(options.stage);
+  }
+}
+
+/// Loops and slits are counted from 0.
+void require_last(const workshop::MapOptions& how, const workshop::HoledSurface& surface) {
+  const auto loops = static_cast<int>(surface.loops.size());
+  if (how.basis && *how.basis >= loops)
+    throw InputError("--basis " + std::to_string(*how.basis) + ": the last loop is " +
+                     std::to_string(loops - 1));
+  if (how.stage && *how.stage > loops - 2)
+    throw InputError("--stage " + std::to_string(*how.stage) + ": the last stage is " +
+                     std::to_string(loops - 2) + ", with all slits open");
+}
+
+} // namespace
+
+slit::LoopPair circles_named(const SlitArguments& options, const workshop::HoledSurface& surface) {
+  const int outer = loop_named(options.outer.empty() ? "0" : options.outer, "--outer", surface);
+  return {outer, loop_named(options.inner.empty() ? "1" : options.inner, "--inner", surface)};
+}
+
+workshop::MapOptions map_options(const SlitArguments& options, const workshop::HoledSurface& surface) {
+  workshop::MapOptions how;
+  how.name = options.input;
+  how.domain = *workshop::map_domain_named(options.domain);
+  how.by_ricci_flow = options.is_ricci();
+  how.unflip = options.unflip;
+  how.balance = options.balance;
+  how.flips_allowed = options.allow_flips;
+  how.intrinsic = options.intrinsic;
+  how.quads_around = options.quads;
+  how.quad_edge = options.quad_edge;
+  choose_parts(how, options, surface);
+  require_last(how, surface);
+  return how;
+}
+
+void require_sense(const SlitArguments& options) {
   for (const std::string& path : options.outputs) {
     require_folder(path);
     const auto format = scene::scene_format_for_extension(path);
@@ -37,7 +108,7 @@ void require_sense(const SlitOptions& options) {
     throw InputError("--quads needs a domain with slits, and --domain " + options.domain + " has none");
 }
 
-void declare(OptionTable& table, SlitOptions& o) {
+void declare(OptionTable& table, SlitArguments& o) {
   table.add("SURFACE", o.input, "a sphere with holes: OBJ, OFF, PLY or STL").required();
   table
       .add("--domain", o.domain,
@@ -97,7 +168,7 @@ void declare(OptionTable& table, SlitOptions& o) {
       .not_negative();
   table.add("--basis", o.basis, "write the one-form of this loop instead of the domain").not_negative();
   table.add("--quads", o.quads, "make quads, this many around the ring; written as .obj, .glb or .ply")
-      .in_range(3, 1'000'000);
+      .in_range(workshop::fewest_quads_around, workshop::most_quads_around);
   table
       .add("--quad-edge", o.quad_edge,
            "make quads with edges of about this length, in the unit of the surface")

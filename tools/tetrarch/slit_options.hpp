@@ -7,12 +7,14 @@
 #include "options.hpp"
 #include "slit_openings.hpp"
 
+#include "tetrarch/workshop/slit.hpp"
+
 #include <string>
 #include <vector>
 
 namespace tetrarch::program {
 
-struct SlitOptions {
+struct SlitArguments {
   std::string input;
   std::vector<std::string> outputs;
   std::string domain = "concentric";
@@ -20,7 +22,7 @@ struct SlitOptions {
   std::string inner;
   std::string center;
   std::string method = "harmonic";
-  Openings openings;
+  OpeningWords openings;
   bool list_loops = false;
   bool fingerprint = false;
   std::string distance;
@@ -45,9 +47,16 @@ struct SlitOptions {
 };
 
 /// Puts them into the table.
-void declare(OptionTable& table, SlitOptions& options);
+void declare(OptionTable& table, SlitArguments& options);
 
 /// Throws InputError for options that do not go together, and for outputs that cannot be.
-void require_sense(const SlitOptions& options);
+void require_sense(const SlitArguments& options);
+
+/// The loops that --outer and --inner name. Throws InputError as `loop_named`.
+slit::LoopPair circles_named(const SlitArguments& options, const workshop::HoledSurface& surface);
+
+/// What is asked of the map of this surface. Throws InputError for loops and vertices that are not there, and
+/// for a basis or a stage beyond the last.
+workshop::MapOptions map_options(const SlitArguments& options, const workshop::HoledSurface& surface);
 
 } // namespace tetrarch::program

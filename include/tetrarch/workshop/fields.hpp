@@ -56,6 +56,9 @@ std::vector<FieldNote> notes_of() {
   return {fields.begin(), fields.end()};
 }
 
+/// Those of several lists, each name once: the first to have it says what it means.
+std::vector<FieldNote> each_once(const std::vector<FieldNote>& notes);
+
 /// Lines "name   value" for people.
 using Rows = std::vector<std::pair<std::string, std::string>>;
 
