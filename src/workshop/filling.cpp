@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "tetrarch/workshop/filling.hpp"
 
+#include "hexahedra_facts.hpp"
+
+#include "tetrarch/core/error.hpp"
+#include "tetrarch/format/mesh_json.hpp"
+#include "tetrarch/mesh/fill.hpp"
+#include "tetrarch/mesh/validate.hpp"
 #include "tetrarch/workshop/text.hpp"
 
-#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <utility>
@@ -12,22 +17,6 @@ namespace tetrarch::workshop {
 namespace {
 
 using Found = const FilledSolid&;
-
-/// Solvers are content above this scaled Jacobian.
-constexpr double good = 0.2;
-
-std::string text_of(const product::Point& p) {
-  return "(" + rounded(p[0]) + ", " + rounded(p[1]) + ", " + rounded(p[2]) + ")";
-}
-
-std::string text_of(const product::BadHexahedron& h) {
-  return "h" + std::to_string(h.hexahedron) + " " + fixed(h.scaled_jacobian, 4) + " at " + text_of(h.center);
-}
-
-long long below(const product::HexQuality& quality, double least) {
-  return std::count_if(quality.scaled_jacobian.begin(), quality.scaled_jacobian.end(),
-                       [&](double j) { return j < least; });
-}
 
 /// Why there is nothing better.
 std::string ending_of(const hex::Search& search) {
@@ -64,15 +53,12 @@ bool is_there(Found f) {
   return f.search.best.has_value();
 }
 
-Tree places(const std::vector<product::BadHexahedron>& list) {
-  Tree result = Tree::array();
-  for (const product::BadHexahedron& h : list)
-    result.push_back(
-        {{"hexahedron", h.hexahedron}, {"scaled_jacobian", h.scaled_jacobian}, {"at", h.center}});
-  return result;
-}
-
 } // namespace
+
+product::Solid solid_of(format::Soup soup, const Progress& progress) {
+  if (soup.tetrahedra.empty() && !soup.triangles.empty()) soup = mesh::fill(soup, progress);
+  return product::solid(mesh::build(std::move(soup)));
+}
 
 std::vector<std::string> FilledSolid::doubts() const {
   if (!search.best)
@@ -112,19 +98,22 @@ FilledSolid filled_solid(const product::Solid& solid, const hex::FillOptions& op
 Rows rows_of(const FilledSolid& found) {
   if (!found.search.best) return {{"hexahedra", "none"}};
   const hex::Filling& f = *found.search.best;
-  std::vector<std::string> worst;
-  for (const product::BadHexahedron& h : f.quality.worst) worst.push_back(text_of(h));
   return {{"hexahedra", std::to_string(f.mesh.hexahedra.size())},
           {"inverted", std::to_string(f.quality.bad.size())},
           {"scaled Jacobian", "least " + fixed(f.quality.minimum, 4) + ", mean " + fixed(f.quality.mean, 4) +
-                                  ", below 0.2: " + std::to_string(below(f.quality, good))},
+                                  ", below 0.2: " + std::to_string(count_below_good(f.quality))},
           {"volume", rounded(f.volume) + ", of the solid " + rounded(f.solid_volume) + ", ratio " +
                          fixed(f.volume_ratio(), 6)},
           {"Hausdorff distance",
            scientific(f.deviation.relative(), 2) + " of the diagonal, at " + text_of(f.deviation.at())},
           {"edge", rounded(f.edge)},
           {"ridges", std::to_string(f.ridges) + " kept of " + std::to_string(f.ridges_of_solid)},
-          {"worst", joined(worst, ", ")}};
+          {"worst", text_of(f.quality.worst)}};
+}
+
+format::MeshDocument document_of(const FilledSolid& found) {
+  if (!found.search.best) throw PreconditionError("document_of: there are no hexahedra");
+  return document_of(found.search.best->mesh, found.search.best->quality.scaled_jacobian);
 }
 
 template <>
@@ -142,13 +131,13 @@ const FieldList<FilledSolid>& fields_of<FilledSolid>() {
        [](Found f) -> Tree { return f.search.best->quality.mean; },
        is_there},
       {{"below_0.2", "", "hexahedra of lesser scaled Jacobian"},
-       [](Found f) -> Tree { return below(f.search.best->quality, good); },
+       [](Found f) -> Tree { return count_below_good(f.search.best->quality); },
        is_there},
       {{"histogram", "", "hexahedra of scaled Jacobian in [-1, -0.9), ... [0.9, 1]"},
        [](Found f) -> Tree { return f.search.best->quality.histogram; },
        is_there},
       {{"worst", "", "the ten of least scaled Jacobian: hexahedron, scaled_jacobian, at"},
-       [](Found f) { return places(f.search.best->quality.worst); },
+       [](Found f) { return tree_of(f.search.best->quality.worst); },
        is_there},
       {{"volume_ratio", "", "volume of the hexahedra over that of the solid"},
        [](Found f) -> Tree { return f.search.best->volume_ratio(); },

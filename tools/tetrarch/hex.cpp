@@ -2,19 +2,14 @@
 #include "command.hpp"
 #include "doctor.hpp"
 #include "embedding.hpp"
+#include "hexahedra_files.hpp"
 #include "in_file.hpp"
 #include "input.hpp"
 #include "text.hpp"
 
 #include "tetrarch/core/error.hpp"
-#include "tetrarch/format/medit.hpp"
-#include "tetrarch/format/mesh_json.hpp"
 #include "tetrarch/format/text.hpp"
-#include "tetrarch/mesh/fill.hpp"
-#include "tetrarch/mesh/validate.hpp"
-#include "tetrarch/product/solid.hpp"
 #include "tetrarch/scene/files.hpp"
-#include "tetrarch/show/product.hpp"
 #include "tetrarch/workshop/filling.hpp"
 
 #include <memory>
@@ -38,10 +33,7 @@ struct HexArguments {
 product::Solid read_filled(const HexArguments& options, Result& result, const Context& context) {
   format::Soup soup = read_soup(options.input, context);
   for (std::string& done : mend(soup, options.doctor)) result.warnings.push_back(std::move(done));
-  return in_file(options.input, [&] {
-    if (soup.tetrahedra.empty() && !soup.triangles.empty()) soup = mesh::fill(soup, context.progress);
-    return product::solid(mesh::build(std::move(soup)));
-  });
+  return in_file(options.input, [&] { return workshop::solid_of(std::move(soup), context.progress); });
 }
 
 hex::FillOptions wanted(const HexArguments& options, const product::Solid& solid, const Context& context) {
@@ -61,25 +53,15 @@ hex::FillOptions wanted(const HexArguments& options, const product::Solid& solid
   return result;
 }
 
-std::string file_of(const std::string& path, const hex::Filling& filling, const std::string& title) {
-  if (format::has_extension(path, ".mesh"))
-    return format::write_medit_hexahedra(filling.mesh.points, filling.mesh.hexahedra);
-  if (format::has_extension(path, ".json")) {
-    format::MeshDocument mesh;
-    mesh.soup.points = filling.mesh.points;
-    mesh.hexahedra = filling.mesh.hexahedra;
-    mesh.fields = {
-        field_of("scaled_jacobian", format::MeshField::On::hexahedra, filling.quality.scaled_jacobian)};
-    mesh.provenance = format::JsonValue::parse(Json{{"command", "hex"}, {"input", title}}.dump());
-    return write_mesh_json(mesh);
-  }
-  const scene::SceneFormat format = *scene::scene_format_for_extension(path);
-  scene::Scene scene{title, {}, {}, {}, {}};
-  scene.cells.push_back(show::hexahedra(
-      filling.mesh.points, filling.mesh.hexahedra,
-      {filling.quality.scaled_jacobian, std::vector<int>(filling.mesh.hexahedra.size(), -1)}));
-  if (format != scene::SceneFormat::vtu) scene.tubes.push_back(show::outer_edges(scene.cells.front()));
-  return scene::write_scene(scene, format);
+void add_hex_files(Result& result, const workshop::FilledSolid& found, const HexArguments& options) {
+  if (options.outputs.empty()) return;
+  format::MeshDocument document = document_of(found);
+  add_provenance(document, {{"command", "hex"}, {"input", options.input}});
+  const product::HexQuality& quality = found.search.best->quality;
+  const std::vector<int> no_layers(document.hexahedra.size(), -1);
+  for (const std::string& path : options.outputs)
+    result.files.push_back(
+        {path, hexahedra_file(path, document, {quality.scaled_jacobian, no_layers}, options.input)});
 }
 
 void require_known_extension(const std::string& path) {
@@ -102,9 +84,7 @@ Result run_hex(const HexArguments& options, const Context& context) {
   result.text = block(rows_of(found));
   if (found.verdict() != workshop::Verdict::yes)
     result.warnings.push_back("the result is not to be relied on: " + joined(found.doubts(), "; "));
-  if (!found.search.best) return result;
-  for (const std::string& path : options.outputs)
-    result.files.push_back({path, file_of(path, *found.search.best, options.input)});
+  if (found.search.best) add_hex_files(result, found, options);
   return result;
 }
 

@@ -3,7 +3,7 @@
 
 /// Hexahedra that fill a solid: made, measured and described in one call.
 ///
-///     const FilledSolid found = filled_solid(solid, {});
+///     const FilledSolid found = filled_solid(solid_of(open_mesh("part.off")));
 ///     if (found.verdict() == Verdict::yes) use(found.search.best->mesh);
 
 #include "tetrarch/core/progress.hpp"
@@ -14,7 +14,17 @@
 #include <string>
 #include <vector>
 
+namespace tetrarch::format {
+struct MeshDocument;
+struct Soup;
+} // namespace tetrarch::format
+
 namespace tetrarch::workshop {
+
+/// The solid that a mesh of tetrahedra is, or that a closed surface encloses, which TetGen fills. Throws
+/// InputError if a tetrahedron has no volume or the boundary is not one closed surface (product/solid.hpp),
+/// or if TetGen is missing or fails; Stopped. Near-linear, but for TetGen.
+product::Solid solid_of(format::Soup soup, const Progress& progress = {});
 
 /// The hexahedra, or none where no grid fits. It owns all that it speaks of.
 struct FilledSolid {
@@ -33,6 +43,10 @@ FilledSolid filled_solid(const product::Solid& solid, const hex::FillOptions& op
                          const Progress& progress = {});
 
 Rows rows_of(const FilledSolid& found);
+
+/// The hexahedra with their scaled Jacobians, as a file keeps them. Throws PreconditionError if there are
+/// none. O(n).
+format::MeshDocument document_of(const FilledSolid& found);
 
 template <>
 const FieldList<FilledSolid>& fields_of<FilledSolid>();
