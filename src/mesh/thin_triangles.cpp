@@ -17,7 +17,7 @@ namespace {
 
 using numeric::Point;
 using numeric::Vector;
-using Corners = std::array<int, 3>;
+using TriangleCorners = std::array<int, 3>;
 
 /// Of the longest edge: below, a needle's edge is collapsed; above, it is a cap.
 constexpr double needle = 1e-9;
@@ -45,7 +45,7 @@ public:
   }
 
 private:
-  const Corners& corners(int t) const { return soup_.triangles[static_cast<std::size_t>(t)]; }
+  const TriangleCorners& corners(int t) const { return soup_.triangles[static_cast<std::size_t>(t)]; }
   const Point& point(int v) const { return soup_.points[static_cast<std::size_t>(v)]; }
   std::vector<int>& at(int v) { return around_[static_cast<std::size_t>(v)]; }
   bool is_thin_now(int t) const {
@@ -82,21 +82,21 @@ private:
     gone_[t] = 1;
     for (const int v : corners(t)) std::erase(at(v), t);
   }
-  void set(int t, const Corners& now) {
+  void set(int t, const TriangleCorners& now) {
     for (const int v : corners(t)) std::erase(at(v), t);
     soup_.triangles[static_cast<std::size_t>(t)] = now;
     for (const int v : now) at(v).push_back(t);
     if (is_thin_now(t)) waiting_.push_back(t);
   }
 
-  Vector normal_of(const Corners& c) const {
+  Vector normal_of(const TriangleCorners& c) const {
     using namespace numeric;
     return cross(point(c[1]) - point(c[0]), point(c[2]) - point(c[0]));
   }
 
   void mend(int t) {
     using namespace numeric;
-    Corners c = corners(t); // turned until its longest edge runs from the first corner to the second
+    TriangleCorners c = corners(t); // turned until its longest edge runs from the first corner to the second
     std::array<double, 3> length_of{};
     for (std::size_t k = 0; k < 3; ++k) length_of[k] = length(point(c[(k + 1) % 3]) - point(c[k]));
     const auto longest = std::max_element(length_of.begin(), length_of.end()) - length_of.begin();
@@ -123,10 +123,10 @@ private:
     if (common.size() != sides.size() || at(u).size() + at(v).size() <= 2 * sides.size()) return false;
     const int kept = u_bounds == v_bounds ? std::min(u, v) : u_bounds ? u : v;
     const int other = kept == u ? v : u;
-    std::vector<std::pair<int, Corners>> changed;
+    std::vector<std::pair<int, TriangleCorners>> changed;
     for (const int t : at(other)) {
       if (has(t, kept)) continue;
-      Corners now = corners(t);
+      TriangleCorners now = corners(t);
       std::replace(now.begin(), now.end(), other, kept);
       if (!is_thin_now(t) && !(numeric::dot(normal_of(corners(t)), normal_of(now)) > 0)) return false;
       const auto is_there = [&](int k) { return has(k, now[0]) && has(k, now[1]) && has(k, now[2]); };
@@ -140,12 +140,12 @@ private:
   }
 
   /// `c`: the corners of t, the first two on the longest edge, behind which `other` lies.
-  void flip(int t, int other, const Corners& c) {
+  void flip(int t, int other, const TriangleCorners& c) {
     const auto& theirs = corners(other);
     const int d = *std::find_if(theirs.begin(), theirs.end(), [&](int v) { return v != c[0] && v != c[1]; });
     if (d == c[2] || !on_edge(c[2], d).empty()) return;
-    const Corners first{c[0], d, c[2]};
-    const Corners second{d, c[1], c[2]};
+    const TriangleCorners first{c[0], d, c[2]};
+    const TriangleCorners second{d, c[1], c[2]};
     const Vector before = normal_of(theirs);
     const bool turns = !is_thin_now(other) && (numeric::dot(before, normal_of(first)) < 0 ||
                                                numeric::dot(before, normal_of(second)) < 0);
@@ -156,7 +156,7 @@ private:
   }
 
   /// Where the cap's vertex lies on the boundary, too, its triangle would be all that holds it together.
-  void remove_cap(int t, const Corners& c) {
+  void remove_cap(int t, const TriangleCorners& c) {
     const bool is_ear = on_edge(c[1], c[2]).size() == 1 || on_edge(c[2], c[0]).size() == 1;
     const bool is_alone = on_edge(c[1], c[2]).size() == 1 && on_edge(c[2], c[0]).size() == 1;
     if (is_alone || (!is_ear && is_on_boundary(c[2]))) return;

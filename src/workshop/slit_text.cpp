@@ -104,7 +104,10 @@ void remark_turns(std::vector<std::string>& remarks, const ConformalMap::Slits& 
 
 void remark_search(std::vector<std::string>& remarks, const ConformalMap& found) {
   if (found.circles && !found.circles->found)
-    remarks.emplace_back("the budget of rounds ended before the circles became round");
+    remarks.emplace_back(found.circles->circularity < slit::CircularOptions{}.tolerance
+                             ? "the circles are round, but more samples than are allowed would be needed to "
+                               "know them as well as that"
+                             : "the budget of rounds ended before the circles became round");
   if (found.rectangle && !found.rectangle->found)
     remarks.emplace_back("the rectangle was not found: holes do not close, or triangles beside short loops "
                          "break down (a finer mesh or other --corners may help)");

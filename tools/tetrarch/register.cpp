@@ -291,6 +291,7 @@ Run declare_register(OptionTable& table) {
   table.add("--average", o->average, "write the shape halfway between the two surfaces, in the same formats")
       .value_name("FILE");
   declare_doctor(table, o->doctor);
+  o->doctor.split_pinches = true;
   return [o](const Context& context) { return run_register(*o, context); };
 }
 

@@ -185,6 +185,7 @@ void declare(OptionTable& table, SlitArguments& o) {
            "as a surface, .glb or .ply), or a page with both side by side (.html); may be repeated")
       .value_name("FILE");
   declare_doctor(table, o.doctor);
+  o.doctor.split_pinches = true; // holes that meet in a vertex are one
 }
 
 } // namespace tetrarch::program
