@@ -377,6 +377,7 @@ class Identify(unittest.TestCase):
             # One entry tells more than a list: what canonize says of the same manifold.
             canonized = run_json("canonize", "fmp3_17")[1]
             more = {key: canonized[key] for key in ("isometry_group", "amphichiral")}
+            more["structure"] = run_json("census", "show", "fmp3_17")[1]["structure"]
             for table in (file, packed):
                 self.assertEqual(run_json("census", "show", "fmp3_17", "--table", table)[1], {**brief[16], **more})
             with contextlib.closing(sqlite3.connect(file)) as db:
@@ -392,6 +393,26 @@ class Identify(unittest.TestCase):
                 done = run(*bad)
                 self.assertEqual((done.returncode, done.stderr.count("\n")), (2, 1), bad)
             self.assertEqual(sorted(os.listdir(folder)), ["census.sqlite", "three.jsonl", "three.jsonl.xz"])
+
+    def test_an_entry_is_shown_with_its_certified_structure(self):
+        # fmp3_25 has the one cusp of three tetrahedra, a torus of equilateral triangles: shape (1 + i sqrt 3) / 2.
+        entry = run_json("census", "show", "fmp3_25")[1]
+        structure = entry["structure"]
+        self.assertTrue(structure["certified"])
+        self.assertTrue(float(structure["volume_interval"][0]) <= float(entry["volume"]) <= float(structure["volume_interval"][1]))
+        (real, imaginary), = (cusp["shape_interval"] for cusp in structure["cusps"])
+        self.assertTrue(Fraction(real[0]) <= Fraction(1, 2) <= Fraction(real[1]))
+        self.assertTrue(Fraction(imaginary[0]) ** 2 <= Fraction(3, 4) <= Fraction(imaginary[1]) ** 2)
+        # The certificate is the one that anybody can make and check.
+        with tempfile.TemporaryDirectory() as folder:
+            made = os.path.join(folder, "made.cert.json")
+            self.assertEqual(run_json("hyperbolize", "fmp3_25", "--certify", "-o", made)[1]["certificate"], structure["certificate"])
+            self.assertEqual(run("verify", made).returncode, 0)
+        # A cusp with the section of a Klein bottle.
+        shown = run_json("census", "show", "tetn3_43")[1]
+        self.assertEqual(([c["type"] for c in shown["structure"]["cusps"]], shown["cusps"], shown["klein_cusps"]),
+                         (["Klein bottle"], 1, 1))
+        self.assertEqual(run_json("census", "show", "tetn3_1")[1]["structure"]["cusps"], [])
 
     def test_a_table_is_what_its_name_says(self):
         work = ("census", "merge", f"{SOURCE}/tests/data/census_work.records", "--tetrahedra", "2")

@@ -11,6 +11,7 @@
 #include "tetrarch/enumeration/gluings.hpp"
 #include "tetrarch/format/compressed.hpp"
 #include "tetrarch/format/text.hpp"
+#include "tetrarch/workshop/structure.hpp"
 
 #include <algorithm>
 #include <functional>
@@ -125,6 +126,26 @@ std::string words_of(const catalogue::Symmetry& symmetry) {
   return text;
 }
 
+/// What a table leaves out because it takes a few milliseconds: an interval for the volume, the shapes of the
+/// cusps, the digest of the certificate.
+void add_certified(Result& result, std::vector<std::pair<std::string, std::string>>& rows, const Manifold& m,
+                   const Progress& progress) {
+  workshop::StructureOptions how;
+  how.as_given = true;
+  how.certify = true;
+  const workshop::Structure found = workshop::structure(from_signature(m.signature), how, progress);
+  Json& told = result.json["structure"] = Json::object();
+  for (const auto& field : workshop::fields_of<workshop::Structure>()) {
+    const std::string_view name = field.name;
+    const bool is_wanted =
+        name == "certified" || name == "volume_interval" || name == "certificate" || name == "cusps";
+    if (is_wanted && (field.present == nullptr || field.present(found))) told[name] = field.value(found);
+  }
+  for (const auto& row : rows_of(found))
+    if (row.first == "volume in" || row.first == "certificate" || row.first.starts_with("cusp "))
+      rows.push_back(row);
+}
+
 void add_table(OptionTable& table, std::string& path) {
   table
       .add("--table", path,
@@ -229,7 +250,7 @@ Run declare_census_show(OptionTable& table) {
   const auto o = std::make_shared<Options>();
   table.add("NAME", o->name, "a census name, such as fmp3_17").required();
   add_table(table, o->table);
-  return [o](const Context&) {
+  return [o](const Context& context) {
     const auto found = Source(o->table).find(o->name);
     if (!found) throw InputError("no census manifold is called " + in_quotes(o->name));
     const Manifold& m = *found;
@@ -248,6 +269,7 @@ Run declare_census_show(OptionTable& table) {
                                                           {"canonical cells", joined(m.cells, ", ")},
                                                           {"isometry signature", m.canonical_signature},
                                                           {"isometry group", words_of(symmetry)}};
+    add_certified(result, rows, m, context.progress);
     for (std::size_t t = 0; t < m.dihedral_angles.size(); ++t)
       for (int e = 0; e < 6; ++e)
         rows.emplace_back(e == 0 ? "angles " + std::to_string(t) : "", m.dihedral_angles[t][e]);
