@@ -46,8 +46,9 @@ void choose_parts(workshop::MapOptions& how, const SlitArguments& options,
   }
 }
 
-/// Loops and slits are counted from 0.
+/// Loops and slits are counted from 0. Where the two circles are the same loop, the map says so instead.
 void require_last(const workshop::MapOptions& how, const workshop::HoledSurface& surface) {
+  if (how.circles.outer == how.circles.inner) return;
   const auto loops = static_cast<int>(surface.loops.size());
   if (how.basis && *how.basis >= loops)
     throw InputError("--basis " + std::to_string(*how.basis) + ": the last loop is " +
