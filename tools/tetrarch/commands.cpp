@@ -10,6 +10,7 @@
 #include "tetrarch/workshop/identify.hpp"
 #include "tetrarch/workshop/info.hpp"
 #include "tetrarch/workshop/pair.hpp"
+#include "tetrarch/workshop/product.hpp"
 #include "tetrarch/workshop/simplify.hpp"
 #include "tetrarch/workshop/structure.hpp"
 #include "tetrarch/workshop/truncate.hpp"
@@ -87,7 +88,8 @@ const std::vector<Command>& commands() {
        "register samples/ring_two_holes.off samples/ring_two_holes.off", declare_register},
       {meshes, "product",
        "coordinates of a handlebody in (a disk with holes) x (an interval); hexahedral meshes",
-       "product samples/genus4_ridges.mesh --labels 1,2 --hex 30 -o genus4.vtu", declare_product},
+       "product samples/genus4_ridges.mesh --labels 1,2 --hex 30 -o genus4.vtu", declare_product, false,
+       workshop::notes_of<workshop::SolidProduct>},
       {meshes, "hex", "fill a solid with hexahedra, whatever its genus; no partition is needed",
        "hex samples/double_torus.off --cells 2000 -o double_torus.vtu", declare_hex, false,
        workshop::notes_of<workshop::FilledSolid>},

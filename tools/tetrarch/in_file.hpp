@@ -1,20 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
-#include "tetrarch/core/error.hpp"
+/// The helper of the room workshop by which errors name a file, by its short name.
 
-#include <string>
+#include "tetrarch/workshop/in_file.hpp"
 
 namespace tetrarch::program {
 
-/// What `job` finds wrong with a triangle or a solid is wrong in a file.
-template <class Job>
-auto in_file(const std::string& path, const Job& job) {
-  try {
-    return job();
-  } catch (const InputError& e) {
-    throw InputError({path, 0}, e.what());
-  }
-}
+using workshop::in_file;
 
 } // namespace tetrarch::program

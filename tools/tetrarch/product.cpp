@@ -5,28 +5,25 @@
 #include "input.hpp"
 #include "output.hpp"
 #include "product_files.hpp"
-#include "product_hexahedra.hpp"
 #include "product_partition.hpp"
-#include "product_report.hpp"
 #include "text.hpp"
 #include "vertex_names.hpp"
 
 #include "tetrarch/core/error.hpp"
-#include "tetrarch/format/mesh_files.hpp"
 #include "tetrarch/format/text.hpp"
-#include "tetrarch/mesh/repair.hpp"
 #include "tetrarch/mesh/validate.hpp"
 #include "tetrarch/scene/files.hpp"
+#include "tetrarch/workshop/product.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <memory>
-#include <optional>
+#include <utility>
 
 namespace tetrarch::program {
 namespace {
 
-using product::Point;
+/// Of long lists, so many are told.
+constexpr std::size_t most_told = 10;
 
 struct ProductArguments {
   std::string input;
@@ -34,13 +31,11 @@ struct ProductArguments {
   PartitionOptions partition;
   std::string floor_map = "circular";
   std::string corners;
-  double height = 0; ///< 0: the one that keeps the floor's aspect ratio
   std::string follow = "smoothed";
   std::string show = "solid";
-  int fibers = 60;
-  HexahedraOptions hexahedra;
   std::string weights = "auto";
-  bool anyway = false;
+  workshop::PolycubeImage polycube; ///< its name, a file, and its lattice; no name: none
+  workshop::ProductOptions how;     ///< what is an option as it is
   Doctor doctor;
 };
 
@@ -52,20 +47,15 @@ void check_outputs(const ProductArguments& options) {
       throw InputError({path, 0}, "this command writes no file with this extension (expected .json, .vtu, "
                                   ".mesh, .glb, .ply, .obj or .html)");
   }
-  const HexahedraOptions& hex = options.hexahedra;
-  if (hex.across == 0 && hex.layers > 0) throw InputError("--layers needs --hex");
-  if (hex.across > 0 && !hex.polycube.empty())
+  const workshop::ProductOptions& how = options.how;
+  const bool is_polycube = !options.polycube.name.empty();
+  if (how.across == 0 && how.layers > 0) throw InputError("--layers needs --hex");
+  if (how.across > 0 && is_polycube)
     throw InputError("--hex and --polycube exclude each other: expected one of them");
-  if (hex.across == 0 && hex.polycube.empty() && hex.smooth)
+  if (how.across == 0 && !is_polycube && how.hexahedra.smooth)
     throw InputError("--smooth needs --hex or --polycube");
   if (options.floor_map != "rectangle" && !options.corners.empty())
     throw InputError("--corners needs --floor-map rectangle");
-}
-
-format::Soup read_solid(const ProductArguments& options, Report& report, const Context& context) {
-  format::Soup soup = read_soup(options.input, context);
-  for (std::string& done : mend(soup, options.doctor)) report.warnings.push_back(std::move(done));
-  return soup;
 }
 
 /// Tetrahedra without volume are told by the numbers and lines of the file.
@@ -84,18 +74,17 @@ void refuse_volumes(const format::Soup& soup, const mesh::Report& report) {
 }
 
 /// Bad elements are told by the file's own numbers and lines.
-mesh::TetMesh mesh_of(format::Soup soup, Report& report) {
+mesh::TetMesh mesh_of(format::Soup soup, std::vector<std::string>& warnings) {
   const mesh::Report findings = mesh::validate(soup, 1);
   if (findings.count(mesh::Severity::fatal) == 0) refuse_volumes(soup, findings);
   if (const std::int64_t unused = findings.count(mesh::Kind::unused_vertex); unused > 0)
-    report.warnings.push_back("passed over: " + counted(unused, "vertex") + " in no tetrahedron");
+    warnings.push_back("passed over: " + counted(unused, "vertex") + " in no tetrahedron");
   return mesh::build(std::move(soup), findings);
 }
 
 product::FloorOptions floor_options(const ProductArguments& options) {
   product::FloorOptions floor;
-  if (options.floor_map == "rectangle" || options.hexahedra.across > 0)
-    floor.domain = product::FloorDomain::rectangle;
+  if (options.floor_map == "rectangle") floor.domain = product::FloorDomain::rectangle;
   if (options.corners.empty()) return floor;
   const std::vector<long long> corners = vertices_in("--corners", options.corners);
   if (corners.size() != floor.corners.size())
@@ -104,168 +93,95 @@ product::FloorOptions floor_options(const ProductArguments& options) {
   return floor;
 }
 
-/// Some of the fibres, from vertices of the floor that are spread over it.
-void add_fibers(SolidProduct& made, const product::FiberField& field, const product::FloorMap& floor,
-                int count) {
-  const std::size_t all = floor.vertex.size();
-  const std::size_t wanted = std::min(all, static_cast<std::size_t>(count));
-  for (std::size_t k = 0; k < wanted; ++k) {
-    const std::size_t v = k * all / wanted;
-    std::vector<Point> path;
-    const product::Fiber fiber = field.trace(field.at_vertex(floor.vertex[v]), product::Way::up, path);
-    if (path.size() < 2) continue;
-    made.fibers.push_back(std::move(path));
-    const std::complex<double> uv = floor.position[v];
-    made.straight.push_back({{uv.real(), uv.imag(), 0},
-                             {uv.real(), uv.imag(), product::value_at(field.solid(), field.w(), fiber.at)}});
-  }
-}
-
-struct Field {
-  product::HarmonicField harmonic;
-  product::CriticalPlaces critical;
-  bool clamped = false;
-};
-
-constexpr const char* product_because =
-    "no critical point, no flipped tetrahedron, and every fiber arrives both ways";
-
-/// Fibres and what hangs on them, of a field without critical places.
-void add_coordinates(SolidProduct& made, const product::FloorMap& floor, const Field& field,
-                     const ProductArguments& options, const Context& context) {
-  const product::FiberField fibers(made.at.solid, made.at.partition, field.harmonic.w,
-                                   options.follow == "gradient" ? product::Direction::gradient
-                                                                : product::Direction::smoothed);
-  product::Coordinates coordinates = product::coordinates(fibers, floor, context.threads, context.progress);
-  made.report.add(coordinates_report(coordinates));
-  made.uvw = std::move(coordinates.uvw);
-  const product::Quality quality = product::quality(made.at.solid, made.uvw);
-  made.report.add(quality_report(made.at.solid, quality));
-  const product::Confirmation confirmation = product::confirm(fibers, context.threads, context.progress);
-  made.report.add(confirmation_report(confirmation));
-  std::vector<std::string> doubts = doubts_about(coordinates, quality, confirmation);
-  if (!field.critical.none()) doubts.emplace_back("the field has critical points");
-  made.report.add(verdict_report({"product", "a product", doubts, product_because}));
-  if (options.hexahedra.polycube.empty()) made.doubts.insert(made.doubts.end(), doubts.begin(), doubts.end());
-  add_fibers(made, fibers, floor, options.fibers);
-  if (options.hexahedra.across > 0 && floor.found)
-    add_hexahedra(made, fibers, floor, options.hexahedra, context);
-}
-
-/// With cotangent weights; where they leave critical places, and nobody asked for them, with clamped ones.
-Field solved(const product::SplitSolid& at, double height, const ProductArguments& options,
-             const Context& context) {
-  Field field;
-  for (const bool clamped : {false, true}) {
-    if (options.weights == (clamped ? "cotangent" : "clamped")) continue;
-    field.harmonic = product::harmonic_field(at.solid, at.partition, {.height = height, .clamped = clamped},
-                                             context.progress);
-    field.critical = product::critical_places(at.solid, at.partition, field.harmonic.w);
-    field.clamped = clamped;
-    if (field.critical.none()) break;
-  }
-  return field;
-}
-
 /// A page shows the solid beside its domain.
 bool wants_page(const ProductArguments& options) {
   return std::any_of(options.outputs.begin(), options.outputs.end(),
                      [](const std::string& path) { return format::has_extension(path, ".html"); });
 }
 
-/// The solid with its partition, and with the hexahedra of a polycube if there is one. Where the map alone
-/// carries these well, no partition is sought that nobody asked for. Nothing where there are hexahedra and no
-/// partition.
-std::optional<PartitionedSolid> started(SolidProduct& made, const ProductArguments& options,
-                                        const Context& context) {
-  const format::Soup soup = read_solid(options, made.report, context);
-  product::Solid solid = in_file(options.input, [&] { return product::solid(mesh_of(soup, made.report)); });
-  const std::string& path = options.hexahedra.polycube;
-  CarriedCubes carried;
-  format::Soup polycube;
-  const MeasuredSolid original = measured(solid);
-  if (!path.empty()) {
-    polycube = read_soup(path, context);
-    carried = carried_by_map(solid, polycube, options.hexahedra, context);
+/// `soup` is that of the solid, and stays where it is.
+workshop::ProductOptions product_options(const ProductArguments& options, const format::Soup& soup,
+                                         const Context& context) {
+  using Weights = workshop::ProductOptions::Weights;
+  workshop::ProductOptions how = options.how;
+  how.name = options.input;
+  how.partition = [&](product::Solid solid) {
+    return partitioned(std::move(solid), soup, options.partition, context);
+  };
+  how.is_partition_given = is_given(options.partition);
+  how.wants_coordinates = wants_page(options);
+  if (options.weights != "auto")
+    how.weights = options.weights == "clamped" ? Weights::clamped : Weights::cotangent;
+  if (options.follow == "gradient") how.follow = product::Direction::gradient;
+  how.threads = context.threads;
+  if (!options.polycube.name.empty()) {
+    how.polycube = options.polycube;
+    how.polycube->image = read_soup(options.polycube.name, context).points;
   }
-  std::optional<PartitionedSolid> start;
-  if (carried.is_good() && !is_given(options.partition) && !wants_page(options)) {
-    made.report.json["tetrahedra"] = solid.size();
-    made.report.rows.emplace_back("solid", counted(solid.size(), "tetrahedron"));
-    add_polycube(made, std::move(carried), original, options.hexahedra, context);
-    return start;
-  }
-  try {
-    start = in_file(options.input,
-                    [&] { return partitioned(std::move(solid), soup, options.partition, context); });
-  } catch (const InputError& e) {
-    if (!carried.hexahedra || is_given(options.partition)) throw;
-    made.report.warnings.emplace_back(e.what());
-  }
-  if (start) made.report.add(partition_report(start->solid, start->partition, start->how));
-  if (path.empty()) return start;
-  if (start && !carried.is_good()) try_fibers(carried, *start, polycube, options.hexahedra, context);
-  add_polycube(made, std::move(carried), original, options.hexahedra, context);
-  return start;
+  how.floor = [&](const product::SplitSolid&) { return floor_options(options); };
+  return how;
 }
 
-SolidProduct make_product(const ProductArguments& options, const Context& context) {
-  SolidProduct made;
-  std::optional<PartitionedSolid> start = started(made, options, context);
-  if (!start) return made;
-  made.at = product::split_shortcuts(std::move(start->solid), std::move(start->partition));
-  const bool is_polycube = made.hexahedra.has_value(); // the hexahedra are the result, whatever else there is
+/// Of hexahedra beside stuck fibers.
+void add_left_out(std::vector<std::string>& warnings, const workshop::MeasuredHexahedra& hexahedra) {
+  if (hexahedra.of.left_out > 0)
+    warnings.push_back(counted(hexahedra.of.left_out, "hexahedron") +
+                       " left out beside fibers that failed to arrive");
+}
 
-  const product::FloorMap floor = in_file(options.input, [&] {
-    return product::floor_map(made.at.solid, made.at.partition, floor_options(options), context.progress);
-  });
-  made.report.add(floor_report(floor));
-  const double height =
-      options.height > 0 ? options.height : product::natural_height(made.at.solid, made.at.partition, floor);
-  const Field field = solved(made.at, height, options, context);
-  made.report.add(field_report(field.harmonic, height, made.at.splits, field.clamped));
-  made.report.add(critical_report(made.at.solid, field.critical));
-  if (!floor.found && !is_polycube) made.status = Status::undecided;
-  const std::string without = is_polycube ? "there are no coordinates" : "nothing was written";
-  if (!field.critical.none()) {
-    if (!is_polycube) made.status = Status::proved_no;
-    if (!options.anyway) {
-      made.report.warnings.push_back("the field has critical points, so the solid is no product with this "
-                                     "partition; " +
-                                     without + " (--anyway goes on)");
-      return made;
-    }
-  }
-  if (floor.flipped == floor.mesh.surface.triangle_count()) {
-    made.report.warnings.push_back("there is no map of the floor; " + without);
-    return made;
-  }
-  add_coordinates(made, floor, field, options, context);
-  return made;
+/// What went wrong from the floor up, and which option may help.
+void add_fibered(std::vector<std::string>& warnings, const workshop::SolidProduct& found, bool anyway) {
+  const workshop::FiberedSolid& fibered = *found.fibered;
+  const std::string without = found.is_of_polycube() ? "there are no coordinates" : "nothing was written";
+  if (!fibered.floor.found)
+    warnings.emplace_back("no map of the floor was found within the budget; the mesh of the floor may be too "
+                          "coarse, or its corners badly placed (--corners)");
+  if (!fibered.critical.none() && !anyway)
+    warnings.push_back("the field has critical points, so the solid is no product with this partition; " +
+                       without + " (--anyway goes on)");
+  else if (!fibered.has_map())
+    warnings.push_back("there is no map of the floor; " + without);
+  else if (const std::size_t stuck = fibered.coordinates->of.stuck.size(); stuck > 0)
+    warnings.push_back(counted(static_cast<long long>(std::min(stuck, most_told)), "fiber") +
+                       " failed to reach the floor; the places are listed, and --weights clamped may help");
+}
+
+void add_warnings(std::vector<std::string>& warnings, const workshop::SolidProduct& found, bool anyway) {
+  if (!found.why_undivided.empty()) warnings.push_back(found.why_undivided);
+  if (found.is_of_polycube()) add_left_out(warnings, *found.hexahedra);
+  if (found.fibered) add_fibered(warnings, found, anyway);
+  if (found.hexahedra && !found.is_of_polycube()) add_left_out(warnings, *found.hexahedra);
+  const bool has_floor = found.is_of_polycube() || found.fibered->floor.found;
+  const std::vector<std::string> doubts = found.doubts();
+  if (found.verdict() == workshop::Verdict::undecided && has_floor)
+    warnings.push_back("the result is not to be relied on: " + joined(doubts, "; "));
+}
+
+void add_product_files(Result& result, const workshop::SolidProduct& found, const ProductArguments& options,
+                       const Context& context) {
+  const ProductTitle title{options.input, options.floor_map};
+  const bool has_coordinates = found.fibered && found.fibered->coordinates;
+  if (!has_coordinates && !found.hexahedra) return;
+  for (const std::string& path : options.outputs)
+    if (has_coordinates || !format::has_extension(path, ".html"))
+      result.files.push_back({path, product_file(path, found, title, options.show == "domain")});
+  if (context.values != nullptr) result.value = std::make_shared<Value>(product_document(found, title));
 }
 
 Result run_product(const ProductArguments& options, const Context& context) {
   check_outputs(options);
-  const auto start = std::chrono::steady_clock::now();
-  SolidProduct made = make_product(options, context);
-  made.report.json["seconds"] =
-      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   Result result;
-  if (made.status == Status::done && !made.doubts.empty()) {
-    made.status = Status::undecided;
-    made.report.warnings.push_back("the result is not to be relied on: " + joined(made.doubts, "; "));
-  }
-  result.status = made.status;
-  const ProductTitle title{options.input, options.floor_map};
-  for (const std::string& path : options.outputs) {
-    if (made.uvw.empty() && (!made.hexahedra || format::has_extension(path, ".html"))) continue;
-    result.files.push_back({path, product_file(path, made, title, options.show == "domain")});
-  }
-  if ((!made.uvw.empty() || made.hexahedra) && context.values != nullptr)
-    result.value = std::make_shared<Value>(product_document(made, title));
-  result.text = block(made.report.rows);
-  result.json = std::move(made.report.json);
-  result.warnings = std::move(made.report.warnings);
+  format::Soup soup = read_soup(options.input, context);
+  result.warnings = mend(soup, options.doctor);
+  product::Solid solid =
+      in_file(options.input, [&] { return product::solid(mesh_of(soup, result.warnings)); });
+  const workshop::SolidProduct found =
+      workshop::solid_product(std::move(solid), product_options(options, soup, context), context.progress);
+  result.status = status_of(found.verdict());
+  result.text = block(rows_of(found));
+  result.json = tree_of(found);
+  add_warnings(result.warnings, found, options.how.passes_critical_points);
+  add_product_files(result, found, options, context);
   return result;
 }
 
@@ -314,7 +230,7 @@ Run declare_product(OptionTable& table) {
            "corners of the rectangle: four vertices of the outer rim, such as 3,17,20,8")
       .value_name("LIST");
   table
-      .add("--height", o->height,
+      .add("--height", o->how.height,
            "height of the domain (default: the height that keeps the floor's aspect ratio)")
       .positive();
   table
@@ -328,27 +244,27 @@ Run declare_product(OptionTable& table) {
            "extrema inside; auto changes to the second if the first leave critical points")
       .one_of({"auto", "cotangent", "clamped"})
       .with_default();
-  table.add("--anyway", o->anyway, "go on in spite of critical points");
+  table.add("--anyway", o->how.passes_critical_points, "go on in spite of critical points");
   table
-      .add("--hex", o->hexahedra.across,
+      .add("--hex", o->how.across,
            "make hexahedra, this many across the rectangle's width (implies --floor-map rectangle)")
       .in_range(1, 100'000);
-  table.add("--layers", o->hexahedra.layers, "number of layers of hexahedra (default: as high as wide)")
+  table.add("--layers", o->how.layers, "number of layers of hexahedra (default: as high as wide)")
       .in_range(1, 100'000);
   table.add(
-      "--smooth", o->hexahedra.smooth,
+      "--smooth", o->how.hexahedra.smooth,
       "improve hexahedra by moving points inside the solid and along its flat sides and straight ridges");
   table
-      .add("--polycube", o->hexahedra.polycube,
+      .add("--polycube", o->polycube.name,
            "make hexahedra from a polycube: a mesh whose vertex k is the image of the solid's vertex k on a "
            "surface of cubes; images of vertices inside the solid are used where no tetrahedron is flipped")
       .value_name("MESH");
-  table.add("--step", o->hexahedra.step, "lattice step of the polycube's corners").positive().with_default();
-  table.add("--cells", o->hexahedra.cells, "number of hexahedra along a lattice step")
+  table.add("--step", o->polycube.step, "lattice step of the polycube's corners").positive().with_default();
+  table.add("--cells", o->polycube.cells, "number of hexahedra along a lattice step")
       .in_range(1, 1000)
       .with_default();
   table
-      .add("--volume-tolerance", o->hexahedra.volume_tolerance,
+      .add("--volume-tolerance", o->how.hexahedra.volume_tolerance,
            "greatest relative difference between the volumes of the hexahedra and of the solid; beyond, the "
            "exit status is 4")
       .in_range(0.0, 1.0)
@@ -356,7 +272,7 @@ Run declare_product(OptionTable& table) {
   table.add("--show", o->show, "content of the files: the solid, or its domain")
       .one_of({"solid", "domain"})
       .with_default();
-  table.add("--fibers", o->fibers, "number of fibers to draw").in_range(0, 100'000).with_default();
+  table.add("--fibers", o->how.fibers, "number of fibers to draw").in_range(0, 100'000).with_default();
   table
       .add("-o,--output", o->outputs,
            "write tetrahedra or hexahedra with their data (.json, .vtu, .mesh), the surface with fibers "

@@ -4,7 +4,6 @@
 #include "vertex_names.hpp"
 
 #include "tetrarch/format/text.hpp"
-#include "tetrarch/product/automatic.hpp"
 #include "tetrarch/product/bases.hpp"
 
 #include <algorithm>
@@ -104,26 +103,24 @@ bool is_given(const PartitionOptions& options) {
          !options.floor.empty() || !options.ceiling.empty();
 }
 
-PartitionedSolid partitioned(product::Solid solid, const format::Soup& soup, const PartitionOptions& options,
-                             const Context& context) {
-  std::string how;
-  std::vector<mesh::EdgePoint> splits;
-  std::vector<int> base = pointed_out(solid, soup, options, how);
+workshop::PartitionedSolid partitioned(product::Solid solid, const format::Soup& soup,
+                                       const PartitionOptions& options, const Context& context) {
+  workshop::PartitionedSolid result;
+  std::vector<int> base = pointed_out(solid, soup, options, result.how);
   if (base.empty()) {
-    auto found = product::automatic_partition(solid, {.threads = context.threads}, context.progress);
+    auto found = workshop::searched_partition(solid, context.threads, context.progress);
     if (!found)
       throw InputError("the search found no partition, which proves nothing; give one by --labels, --cycle, "
                        "--tunnel, or --floor and --ceiling");
-    if (options.outer.empty())
-      return {std::move(found->solid), std::move(found->partition), std::move(found->how),
-              std::move(found->splits)};
-    solid = std::move(found->solid);
-    how = std::move(found->how);
-    splits = std::move(found->splits);
-    for (const int patch : found->partition.patch) base.push_back(patch < product::first_wall ? patch : -1);
+    if (options.outer.empty()) return std::move(*found);
+    result = std::move(*found);
+    for (const int patch : result.partition.patch) base.push_back(patch < product::first_wall ? patch : -1);
+  } else {
+    result.solid = std::move(solid);
   }
-  product::Partition partition = product::partition(solid, base, outer_triangle(solid, base, options.outer));
-  return {std::move(solid), std::move(partition), std::move(how), std::move(splits)};
+  result.partition =
+      product::partition(result.solid, base, outer_triangle(result.solid, base, options.outer));
+  return result;
 }
 
 } // namespace tetrarch::program

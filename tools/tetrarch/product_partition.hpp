@@ -6,8 +6,7 @@
 #include "command.hpp"
 
 #include "tetrarch/format/soup.hpp"
-#include "tetrarch/mesh/split_edges.hpp"
-#include "tetrarch/product/partition.hpp"
+#include "tetrarch/workshop/product.hpp"
 
 #include <string>
 #include <vector>
@@ -26,18 +25,11 @@ struct PartitionOptions {
   std::string outer;                ///< "v17": a vertex of the outer wall
 };
 
-struct PartitionedSolid {
-  product::Solid solid; ///< perhaps with edges split; old vertices keep their numbers
-  product::Partition partition;
-  std::string how;
-  std::vector<mesh::EdgePoint> splits; ///< as in `product::Automatic`
-};
-
 /// Whether any of them points anything out.
 bool is_given(const PartitionOptions& options);
 
 /// `soup` is that of the solid: its triangles may have labels. Throws InputError.
-PartitionedSolid partitioned(product::Solid solid, const format::Soup& soup, const PartitionOptions& options,
-                             const Context& context);
+workshop::PartitionedSolid partitioned(product::Solid solid, const format::Soup& soup,
+                                       const PartitionOptions& options, const Context& context);
 
 } // namespace tetrarch::program
