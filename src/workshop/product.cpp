@@ -20,7 +20,7 @@ namespace {
 using product::Point;
 using Weights = ProductOptions::Weights;
 
-PartitionedSolid partition_by_search(product::Solid solid, const ProductOptions& options,
+PartitionedSolid partition_by_search(const product::Solid& solid, const ProductOptions& options,
                                      const Progress& progress) {
   auto found = searched_partition(solid, options.threads, progress);
   if (!found) throw InputError("the search found no partition, which proves nothing");
@@ -30,13 +30,13 @@ PartitionedSolid partition_by_search(product::Solid solid, const ProductOptions&
 PartitionedSolid partitioned(product::Solid solid, const ProductOptions& options, const Progress& progress) {
   return in_file(options.name, [&] {
     return options.partition ? options.partition(std::move(solid))
-                             : partition_by_search(std::move(solid), options, progress);
+                             : partition_by_search(solid, options, progress);
   });
 }
 
 SolidSides sides_of(const PartitionedSolid& start) {
-  SolidSides sides{start.solid.size(), start.how, {}};
-  sides.triangles.resize(static_cast<std::size_t>(product::first_wall + start.partition.walls), 0);
+  const int patches = product::first_wall + start.partition.walls;
+  SolidSides sides{start.solid.size(), start.how, std::vector<int>(static_cast<std::size_t>(patches), 0)};
   for (const int patch : start.partition.patch) ++sides.triangles[patch];
   return sides;
 }
