@@ -22,9 +22,6 @@
 namespace tetrarch::program {
 namespace {
 
-/// Of long lists, so many are told.
-constexpr std::size_t most_told = 10;
-
 struct ProductArguments {
   std::string input;
   std::vector<std::string> outputs;
@@ -142,7 +139,7 @@ void add_fibered(std::vector<std::string>& warnings, const workshop::SolidProduc
   else if (!fibered.has_map())
     warnings.push_back("there is no map of the floor; " + without);
   else if (const std::size_t stuck = fibered.coordinates->of.stuck.size(); stuck > 0)
-    warnings.push_back(counted(static_cast<long long>(std::min(stuck, most_told)), "fiber") +
+    warnings.push_back(counted(static_cast<long long>(stuck), "fiber") +
                        " failed to reach the floor; the places are listed, and --weights clamped may help");
 }
 
