@@ -253,6 +253,7 @@
 #include "tetrarch/workshop/openings.hpp"
 #include "tetrarch/workshop/pair.hpp"
 #include "tetrarch/workshop/reason.hpp"
+#include "tetrarch/workshop/registration.hpp"
 #include "tetrarch/workshop/simplify.hpp"
 #include "tetrarch/workshop/slit.hpp"
 #include "tetrarch/workshop/structure.hpp"
