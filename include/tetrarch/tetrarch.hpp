@@ -255,6 +255,7 @@
 #include "tetrarch/workshop/pair.hpp"
 #include "tetrarch/workshop/product.hpp"
 #include "tetrarch/workshop/reason.hpp"
+#include "tetrarch/workshop/registration.hpp"
 #include "tetrarch/workshop/simplify.hpp"
 #include "tetrarch/workshop/slit.hpp"
 #include "tetrarch/workshop/solid_hexahedra.hpp"

@@ -11,6 +11,7 @@
 #include "tetrarch/workshop/identify.hpp"
 #include "tetrarch/workshop/info.hpp"
 #include "tetrarch/workshop/open.hpp"
+#include "tetrarch/workshop/registration.hpp"
 #include "tetrarch/workshop/slit.hpp"
 #include "tetrarch/workshop/structure.hpp"
 #include "tetrarch/workshop/truncate.hpp"
@@ -76,6 +77,7 @@ TEST_CASE("every result lists its fields once", "[workshop]") {
     check_list(conformal_map(ring, options));
   }
   check_list(conformal_type(ring));
+  check_list(registration(ring, ring));
 }
 
 TEST_CASE("a structure is found, or the answer says what kind of no it is", "[workshop]") {

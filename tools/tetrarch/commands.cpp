@@ -12,6 +12,7 @@
 #include "tetrarch/workshop/info.hpp"
 #include "tetrarch/workshop/pair.hpp"
 #include "tetrarch/workshop/product.hpp"
+#include "tetrarch/workshop/registration.hpp"
 #include "tetrarch/workshop/simplify.hpp"
 #include "tetrarch/workshop/structure.hpp"
 #include "tetrarch/workshop/truncate.hpp"
@@ -87,7 +88,8 @@ const std::vector<Command>& commands() {
        workshop::notes_of_maps_and_types},
       {meshes, "register",
        "resample a surface with holes by the triangles of another, through circular domains",
-       "register samples/ring_two_holes.off samples/ring_two_holes.off", declare_register},
+       "register samples/ring_two_holes.off samples/ring_two_holes.off", declare_register, false,
+       workshop::notes_of<workshop::SurfaceRegistration>},
       {meshes, "product",
        "coordinates of a handlebody in (a disk with holes) x (an interval); hexahedral meshes",
        "product samples/genus4_ridges.mesh --labels 1,2 --hex 30 -o genus4.vtu", declare_product, false,

@@ -9,17 +9,15 @@
 #include "tetrarch/format/mesh_json.hpp"
 #include "tetrarch/format/text.hpp"
 #include "tetrarch/scene/files.hpp"
-#include "tetrarch/slit/matching.hpp"
-#include "tetrarch/slit/registration.hpp"
-#include "tetrarch/slit/unflip.hpp"
+#include "tetrarch/workshop/registration.hpp"
 
-#include <algorithm>
 #include <memory>
-#include <optional>
 #include <sstream>
 
 namespace tetrarch::program {
 namespace {
+
+using Points = std::vector<std::array<double, 3>>;
 
 struct RegisterArguments {
   std::string first;
@@ -38,6 +36,17 @@ bool is_json(const std::string& path) {
   return format::has_extension(path, ".json");
 }
 
+void require_register_outputs(const RegisterArguments& options) {
+  for (const std::string& path : {options.resampled, options.average}) {
+    if (path.empty()) continue;
+    require_folder(path);
+    if (!scene::scene_format_for_extension(path) && !is_json(path))
+      throw InputError(
+          {path, 0},
+          "this command writes no file with this extension (expected .json, .obj, .ply, .vtu or .glb)");
+  }
+}
+
 workshop::HoledSurface read_input(const std::string& path, const Doctor& doctor, Result& result,
                                   const Context& context) {
   const SurfaceInput input = read_surface(path, context, doctor);
@@ -46,8 +55,8 @@ workshop::HoledSurface read_input(const std::string& path, const Doctor& doctor,
 }
 
 /// Of each loop of the first surface the loop of the second one.
-std::vector<int> matching(const RegisterArguments& options, const workshop::HoledSurface& first,
-                          const workshop::HoledSurface& second) {
+std::vector<int> matching_named(const RegisterArguments& options, const workshop::HoledSurface& first,
+                                const workshop::HoledSurface& second) {
   std::vector<int> result;
   std::istringstream words(options.match);
   for (std::string word; std::getline(words, word, ',');)
@@ -60,206 +69,60 @@ std::vector<int> matching(const RegisterArguments& options, const workshop::Hole
   return result;
 }
 
-slit::OneForms one_forms(const workshop::HoledSurface& input, const std::string& path,
-                         const Progress& progress) {
-  try {
-    return slit::OneForms(input.mesh(), progress, slit::Edges::intrinsic_delaunay);
-  } catch (const InputError& e) {
-    throw InputError({path, 0}, e.what());
-  }
+workshop::RegisterOptions register_options(const RegisterArguments& options,
+                                           const workshop::HoledSurface& first,
+                                           const workshop::HoledSurface& second) {
+  workshop::RegisterOptions how;
+  how.names = {options.first, options.second};
+  how.unflip = options.unflip;
+  how.as_placed = options.as_placed;
+  if (first.loops.size() != second.loops.size()) return how; // which is refused before a loop is missed
+  if (!options.outer.empty() || !options.inner.empty())
+    how.circles = circles_named(options.outer, options.inner, first);
+  if (!options.match.empty()) how.matching = matching_named(options, first, second);
+  return how;
 }
 
-slit::CircularMap circles(const slit::OneForms& forms, int outer, int inner, bool unflip, Result& result) {
-  slit::CircularMap map = slit::circular_map(forms, slit::slit_map(forms, outer, inner));
-  slit::unflip_in_disk(forms.mesh(), map, unflip ? slit::Unflip::everywhere : slit::Unflip::at_slits);
-  if (!map.domain.found) {
-    result.status = Status::undecided;
-    result.warnings.emplace_back("the budget of rounds ended before the circles became round");
-  }
-  return map;
-}
-
-/// Of each loop of the first surface the loop of the second one, with what is known of it.
-struct Candidate {
-  std::vector<int> match;
-  double distance = 0; ///< between the circular domains
-};
-
-/// The matchings between which circles do not decide, the best one first, and one more.
-std::vector<Candidate> loop_candidates(const slit::CircularMap& a, const slit::CircularMap& b) {
-  std::vector<Candidate> result;
-  for (const slit::Matching& m : slit::best_matchings(a.domain.circles, b.domain.circles)) {
-    Candidate c{std::vector<int>(a.loop.size()), m.distance};
-    for (std::size_t k = 0; k < a.loop.size(); ++k)
-      c.match[a.loop[k]] = b.loop[static_cast<std::size_t>(m.to[k])];
-    result.push_back(std::move(c));
-  }
-  return result;
-}
-
-/// Circles of surfaces that are the same come as near as triangles let them.
-bool is_as_good(const Candidate& c, const Candidate& best) {
-  constexpr double noise = 2e-3;
-  return c.distance < 2 * best.distance + noise;
-}
-
-/// A registration, how its loops were matched, and what to say of that.
-struct Found {
-  slit::Registration registration;
-  std::vector<int> match;
-  Json search; ///< null if the matching was given
-  std::string text;
-};
-
-/// Whether a registration is clearly more conformal than another, or about as conformal and closer in space.
-/// Angles come first, as the sizes of the surfaces may differ and bends are no fault.
-bool is_better(const slit::Registration& r, const slit::Registration& than) {
-  const auto score = [](const slit::Registration& one) {
-    constexpr double flipped = 10; // stands for the ratio of axes of a flipped triangle
-    const auto n = static_cast<double>(std::max<std::size_t>(one.quasi_conformal.size(), 1));
-    return one.mean_quasi_conformal - 1 + flipped * static_cast<double>(one.flipped.size()) / n;
-  };
-  constexpr double clearly = 0.9;
-  constexpr double rounding = 1e-9;
-  if (score(r) < clearly * score(than) - rounding) return true;
-  return score(than) >= clearly * score(r) - rounding && r.mean_distance < than.mean_distance;
-}
-
-/// Tries all matchings that circles allow, and takes the most conformal one; of equal ones that by which the
-/// surfaces come closest in space.
-Found searched(const slit::OneForms& a, const slit::CircularMap& map_a, const slit::OneForms& b,
-               slit::RegistrationOptions how, Result& result) {
-  const slit::LoopPair pair = slit::farthest_loops(b);
-  std::vector<Candidate> all = loop_candidates(map_a, circles(b, pair.outer, pair.inner, false, result));
-  const auto end =
-      std::find_if(all.begin(), all.end(), [&](const Candidate& c) { return !is_as_good(c, all.front()); });
-  const std::size_t tried = static_cast<std::size_t>(end - all.begin());
-  std::optional<Found> best;
-  for (std::size_t k = 0; k < tried; ++k) {
-    how.matching = all[k].match;
-    const slit::CircularMap map_b =
-        circles(b, how.matching[map_a.loop[0]], how.matching[map_a.loop[1]], how.unflip, result);
-    slit::Registration r = slit::registered(a, map_a, b.mesh(), map_b, how);
-    if (best && !is_better(r, best->registration)) continue;
-    best = Found{std::move(r),
-                 all[k].match,
-                 {{"distance", all[k].distance},
-                  {"tried", tried},
-                  {"next_distance", end == all.end() ? Json() : Json(end->distance)}},
-                 "circles differ by " + scientific(all[k].distance, 1)};
-  }
-  if (end != all.end()) best->text += ", by the next best matching by " + scientific(end->distance, 1);
-  if (tried > 1)
-    result.warnings.push_back(
-        counted(static_cast<long long>(tried), "matching") +
-        " of the loops fit the circles; the most conformal one was taken, or of equal ones "
-        "the closest in space (--match chooses another)");
-  return std::move(*best);
-}
-
-void tell(Result& result, const Found& found) {
-  const slit::Registration& r = found.registration;
-  const std::vector<int>& match = found.match;
-  result.json = {{"matching", match},
-                 {"search", found.search},
-                 {"mean_quasiconformal", r.mean_quasi_conformal},
-                 {"max_quasiconformal", r.max_quasi_conformal},
-                 {"mean_distance", r.mean_distance},
-                 {"max_distance", r.max_distance},
-                 {"flipped", r.flipped.size()},
-                 {"outside", r.outside},
-                 {"moved", r.moved}};
-  std::vector<std::string> pairs;
-  for (std::size_t k = 0; k < match.size(); ++k)
-    pairs.push_back(std::to_string(k) + " to " + std::to_string(match[k]));
-  const auto flipped = static_cast<long long>(r.flipped.size());
-  result.text =
-      block({{"loops", joined(pairs, ", ")},
-             {"matching", found.text},
-             {"quasi-conformal",
-              "mean " + fixed(r.mean_quasi_conformal, 4) + ", greatest " + fixed(r.max_quasi_conformal, 4)},
-             {"distances", "mean " + rounded(r.mean_distance) + ", greatest " + rounded(r.max_distance)},
-             {"flipped", flipped == 0 ? "none" : counted(flipped, "triangle")}});
-  if (flipped > 0)
-    result.warnings.push_back(counted(flipped, "triangle") + (flipped == 1 ? " is" : " are") +
-                              " inverted; --unflip moves vertices until no triangle is inverted");
-}
-
-/// The shape, with the places of its vertices in SECOND's disk and on FIRST.
-format::MeshDocument document(const std::vector<std::array<double, 3>>& points,
-                              const mesh::TriangleMesh& first, const slit::Registration& r,
-                              const RegisterArguments& options) {
-  using enum format::MeshField::On;
-  format::MeshDocument mesh;
-  mesh.soup.points = points;
-  mesh.soup.triangles = first.surface.triangles();
-  std::vector<std::array<double, 2>> places;
-  places.reserve(r.position.size());
-  for (const std::complex<double> z : r.position) places.push_back({z.real(), z.imag()});
-  mesh.fields = {field_of("place", vertices, places), field_of("first", vertices, first.points),
-                 field_of("quasi_conformal", triangles, r.quasi_conformal)};
+/// Where it came from, too.
+format::MeshDocument register_document(const workshop::SurfaceRegistration& found, const Points& points,
+                                       const RegisterArguments& options) {
+  format::MeshDocument mesh = document_of(found, points);
   mesh.provenance = format::JsonValue::parse(
       Json{{"command", "register"}, {"first", options.first}, {"second", options.second}}.dump());
   return mesh;
 }
 
-std::string file(const std::string& path, const std::vector<std::array<double, 3>>& points,
-                 const mesh::TriangleMesh& first, const slit::Registration& r,
-                 const RegisterArguments& options) {
-  if (is_json(path)) return write_mesh_json(document(points, first, r, options));
+std::string register_file(const std::string& path, const workshop::SurfaceRegistration& found,
+                          const Points& points, const RegisterArguments& options) {
+  if (is_json(path)) return write_mesh_json(register_document(found, points, options));
   scene::Scene scene;
   scene::Surface& surface = scene.surfaces.emplace_back();
   surface.name = "surface";
   surface.points = points;
-  surface.triangles = first.surface.triangles();
+  surface.triangles = found.first.mesh().surface.triangles();
   return scene::write_scene(scene, *scene::scene_format_for_extension(path));
 }
 
 Result run_register(const RegisterArguments& options, const Context& context) {
-  for (const std::string& path : {options.resampled, options.average}) {
-    if (path.empty()) continue;
-    require_folder(path);
-    if (!scene::scene_format_for_extension(path) && !is_json(path))
-      throw InputError(
-          {path, 0},
-          "this command writes no file with this extension (expected .json, .obj, .ply, .vtu or .glb)");
-  }
+  require_register_outputs(options);
   Result result;
-  const workshop::HoledSurface first = read_input(options.first, options.doctor, result, context);
+  workshop::HoledSurface first = read_input(options.first, options.doctor, result, context);
   const workshop::HoledSurface second = read_input(options.second, options.doctor, result, context);
-  if (first.loops.size() != second.loops.size())
-    throw InputError({options.second, 0},
-                     "has " + counted(static_cast<long long>(second.loops.size()), "boundary loop") +
-                         ", but " + options.first + " has " + std::to_string(first.loops.size()));
-  const slit::OneForms a = one_forms(first, options.first, context.progress);
-  const slit::OneForms b = one_forms(second, options.second, context.progress);
-  slit::LoopPair pair = slit::farthest_loops(a);
-  if (!options.outer.empty() || !options.inner.empty())
-    pair = {loop_named(options.outer.empty() ? "0" : options.outer, "--outer", first),
-            loop_named(options.inner.empty() ? "1" : options.inner, "--inner", first)};
-  slit::RegistrationOptions how;
-  how.aligned = !options.as_placed;
-  how.unflip = options.unflip;
-  how.unflip_at_slits = true;
-  const slit::CircularMap map_a = circles(a, pair.outer, pair.inner, options.unflip, result);
-  Found found;
-  if (options.match.empty()) {
-    found = searched(a, map_a, b, how, result);
-  } else {
-    how.matching = found.match = matching(options, first, second);
-    found.text = "given";
-    const slit::CircularMap map_b =
-        circles(b, how.matching[pair.outer], how.matching[pair.inner], options.unflip, result);
-    found.registration = slit::registered(a, map_a, b.mesh(), map_b, how);
-  }
-  const slit::Registration& r = found.registration;
-  tell(result, found);
+  const workshop::RegisterOptions how = register_options(options, first, second);
+  const workshop::SurfaceRegistration found =
+      workshop::registration(std::move(first), second, how, context.progress);
+  result.status = status_of(found.verdict());
+  result.json = tree_of(found);
+  result.text = block(rows_of(found));
+  for (const std::string& remark : found.remarks()) result.warnings.push_back(remark);
+  const slit::Registration& r = found.points;
   if (context.values != nullptr)
-    result.value = std::make_shared<Value>(document(r.resampled, a.mesh(), r, options));
+    result.value = std::make_shared<Value>(register_document(found, r.resampled, options));
   if (!options.resampled.empty())
-    result.files.push_back({options.resampled, file(options.resampled, r.resampled, a.mesh(), r, options)});
+    result.files.push_back(
+        {options.resampled, register_file(options.resampled, found, r.resampled, options)});
   if (!options.average.empty())
-    result.files.push_back({options.average, file(options.average, r.average, a.mesh(), r, options)});
+    result.files.push_back({options.average, register_file(options.average, found, r.average, options)});
   return result;
 }
 

@@ -46,7 +46,8 @@ Result run_fingerprint(workshop::HoledSurface surface, const SlitArguments& opti
                        const Context& context) {
   workshop::FingerprintOptions how;
   how.name = options.input;
-  if (!options.outer.empty() || !options.inner.empty()) how.circles = circles_named(options, surface);
+  if (!options.outer.empty() || !options.inner.empty())
+    how.circles = circles_named(options.outer, options.inner, surface);
   workshop::ConformalType found = workshop::conformal_type(std::move(surface), how, context.progress);
   if (!options.distance.empty()) compare(found, options, result, context);
   result.status = status_of(found.verdict());

@@ -58,6 +58,12 @@ int loop_named(const std::string& name, const char* option, const workshop::Hole
   throw refusal(option, name, "no boundary loop runs through this vertex");
 }
 
+slit::LoopPair circles_named(const std::string& outer, const std::string& inner,
+                             const workshop::HoledSurface& surface) {
+  const int outer_loop = loop_named(outer.empty() ? "0" : outer, "--outer", surface);
+  return {outer_loop, loop_named(inner.empty() ? "1" : inner, "--inner", surface)};
+}
+
 int vertex_named(const std::string& name, const char* option, const workshop::HoledSurface& surface) {
   const auto number = name.starts_with('v') ? vertex_in(name) : std::nullopt;
   if (!number) throw refusal(option, name, "expected a vertex, such as v17");

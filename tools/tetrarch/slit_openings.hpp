@@ -7,6 +7,7 @@
 #include "surface_input.hpp"
 
 #include "tetrarch/core/progress.hpp"
+#include "tetrarch/slit/slit_map.hpp"
 #include "tetrarch/workshop/openings.hpp"
 
 #include <string>
@@ -26,6 +27,10 @@ workshop::HoledSurface opened(const SurfaceInput& surface, const OpeningWords& w
 
 /// The loop that "2" or "v17" means. Throws InputError that names the option and what is there.
 int loop_named(const std::string& name, const char* option, const workshop::HoledSurface& surface);
+
+/// The loops that --outer and --inner name; where one is empty, 0 and 1. Throws InputError as above.
+slit::LoopPair circles_named(const std::string& outer, const std::string& inner,
+                             const workshop::HoledSurface& surface);
 
 /// The vertex that "v17" means. Throws InputError as above.
 int vertex_named(const std::string& name, const char* option, const workshop::HoledSurface& surface);

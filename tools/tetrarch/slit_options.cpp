@@ -39,7 +39,7 @@ void choose_parts(workshop::MapOptions& how, const SlitArguments& options,
   } else if (surface.loops.size() == 1) {
     if (!options.center.empty()) how.center = vertex_named(options.center, "--center", surface);
   } else {
-    how.circles = circles_named(options, surface);
+    how.circles = circles_named(options.outer, options.inner, surface);
     if (options.is_ricci()) return;
     how.basis = if_given(options.basis);
     if (!how.basis) how.stage = if_given(options.stage);
@@ -59,11 +59,6 @@ void require_last(const workshop::MapOptions& how, const workshop::HoledSurface&
 }
 
 } // namespace
-
-slit::LoopPair circles_named(const SlitArguments& options, const workshop::HoledSurface& surface) {
-  const int outer = loop_named(options.outer.empty() ? "0" : options.outer, "--outer", surface);
-  return {outer, loop_named(options.inner.empty() ? "1" : options.inner, "--inner", surface)};
-}
 
 workshop::MapOptions map_options(const SlitArguments& options, const workshop::HoledSurface& surface) {
   workshop::MapOptions how;

@@ -52,9 +52,6 @@ void declare(OptionTable& table, SlitArguments& options);
 /// Throws InputError for options that do not go together, and for outputs that cannot be.
 void require_sense(const SlitArguments& options);
 
-/// The loops that --outer and --inner name. Throws InputError as `loop_named`.
-slit::LoopPair circles_named(const SlitArguments& options, const workshop::HoledSurface& surface);
-
 /// What is asked of the map of this surface. Throws InputError for loops and vertices that are not there, and
 /// for a basis or a stage beyond the last.
 workshop::MapOptions map_options(const SlitArguments& options, const workshop::HoledSurface& surface);

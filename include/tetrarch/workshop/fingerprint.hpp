@@ -48,7 +48,7 @@ struct ConformalType {
 };
 
 /// Throws InputError unless the surface is a sphere with two holes at least; Stopped if the progress says so.
-/// Some maps, of up to as many triangles as are allowed: ten seconds for half a million.
+/// Some maps, of up to as many triangles as are allowed: three seconds for half a million.
 ConformalType conformal_type(HoledSurface surface, const FingerprintOptions& options = {},
                              const Progress& progress = {});
 

@@ -169,7 +169,7 @@ std::string why_not_mapped(const mesh::Surface& surface, int least_holes);
 /// ones and vertices are moved then: whichever leaves fewer inverted, or else distorts less. Throws
 /// InputError where the surface has no such map, or the room it needs is less than doubles can tell;
 /// PreconditionError for a basis or a stage that there is not; Stopped if the progress says so. A sparse
-/// factorization or some; 0.1 s for 10,000 triangles.
+/// factorization or some; 0.03 to 0.2 s for 10,000 triangles.
 ConformalMap conformal_map(HoledSurface surface, const MapOptions& options = {},
                            const Progress& progress = {});
 
