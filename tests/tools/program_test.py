@@ -414,6 +414,32 @@ class Identify(unittest.TestCase):
                          (["Klein bottle"], 1, 1))
         self.assertEqual(run_json("census", "show", "tetn3_1")[1]["structure"]["cusps"], [])
 
+    def test_manifolds_that_are_not_orientable(self):
+        with tempfile.TemporaryDirectory() as folder:
+            work, made, merged = (os.path.join(folder, name) for name in ("work", "made.json", "merged.json"))
+            job = ("--tetrahedra", "2", "--nonorientable", "-o")
+            self.assertEqual(run("census", "enumerate", "--work", work, *job, made).returncode, 0)
+            self.assertEqual(run("census", "merge", work, *job, merged).returncode, 0)
+            tables = []
+            for path in (made, merged, f"{SOURCE}/census/tetn2.json"):
+                with open(path, "rb") as file:
+                    tables.append(file.read())
+            self.assertEqual(tables[0], tables[1])
+            self.assertEqual(tables[0], tables[2])
+            # What was done for one table is no work for the other.
+            done = run("census", "merge", work, "--tetrahedra", "2", "-o", merged)
+            self.assertEqual((done.returncode, done.stderr.count("\n")), (2, 1))
+        status, valid = run_json("census", "validate", "--nonorientable", "--tetrahedra", "2")
+        self.assertEqual((status, valid["rebuilt"], valid["manifolds"]), (0, True, 14))
+        listed = run_json("census", "list", "--nonorientable", "--boundary", "4k", "--cusps", "1")[1]
+        # Regina says of nine of the gluings that the links are a surface of Euler characteristic -2 and one of 0.
+        self.assertEqual((listed["count"], {m["orientable"] for m in listed["manifolds"]}), (9, {False}))
+        self.assertEqual(run_json("census", "list", "--boundary", "4k")[1]["count"], 0)
+        self.assertEqual(run_json("census", "identify", listed["manifolds"][3]["signature"])[1]["name"], "tetn3_46")
+        self.assertFalse(run_json("info", "tetn3_46")[1]["orientable"])
+        for bad in ("2k", "k", "3kk", "-3"):
+            self.assertEqual(run("census", "list", "--boundary", bad).returncode, 2, bad)
+
     def test_a_table_is_what_its_name_says(self):
         work = ("census", "merge", f"{SOURCE}/tests/data/census_work.records", "--tetrahedra", "2")
         with tempfile.TemporaryDirectory() as folder:
