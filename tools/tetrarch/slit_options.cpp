@@ -8,6 +8,7 @@
 #include "tetrarch/scene/files.hpp"
 
 #include <array>
+#include <optional>
 #include <sstream>
 
 namespace tetrarch::program {
