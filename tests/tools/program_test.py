@@ -1785,6 +1785,21 @@ class Slit(InFolder):
                     triangles += [f"3 {a} {b} {c}", f"3 {a} {c} {d}"]
         return self.path(name, "\n".join([f"OFF\n{len(points)} {len(triangles)} 0", *points, *triangles, ""]))
 
+    def test_options_without_use_are_refused(self):
+        disk = self.path("disk.off", "OFF\n5 4 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n.4 .5 0\n3 0 1 4\n3 1 2 4\n3 2 3 4\n3 3 0 4\n")
+        circular = ("--domain", "circular")
+        for surface, options, word in ((self.ring, ("--mirror",), "--distance"), (self.ring, (*circular, "--center", "v3"), "--center"),
+                                       (self.ring, (*circular, "--method", "ricci", "--basis", "1"), "--basis"),
+                                       (self.ring, ("--domain", "rectangle", "--basis", "1"), "--basis"),
+                                       (disk, (*circular, "--method", "ricci", "--center", "v4"), "--center"),
+                                       (disk, (*circular, "--outer", "1"), "--outer"), (disk, (*circular, "--inner", "0"), "--inner"),
+                                       (disk, (*circular, "--basis", "0"), "--basis"), (disk, (*circular, "--stage", "0"), "--stage")):
+            self.assertIn(word, self.refused(surface, *options))
+        # Of two surfaces the one that is wrong is named; a type takes two loops, whatever the domain.
+        torus = os.path.join(SOURCE, "tests/data/mesh/torus.off")
+        self.assertIn("torus.off:", self.refused(self.ring, "--distance", torus))
+        self.assertIn("two holes", self.refused(disk, "--distance", self.ring, *circular))
+
     def test_holes_that_meet_in_a_vertex_are_one(self):
         holes = [(3, 6, 3, 6), (6, 9, 6, 9)]
         touching, apart = self.sheet("touching.off", holes), self.sheet("apart.off", holes, [(6, 6)])

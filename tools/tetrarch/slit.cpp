@@ -23,11 +23,30 @@ std::string way_on(const SurfaceType& type) {
                                    : "; --domain circular maps it, --punch makes more holes";
 }
 
+bool asks_for_type(const SlitArguments& options) {
+  return options.fingerprint || !options.distance.empty();
+}
+
 /// What the map would refuse, said before a loop is missed.
-void check_type(const mesh::Surface& surface, const SlitArguments& options) {
-  const bool one_is_enough = (options.is_circular() || options.is_rectangle()) && !options.fingerprint;
+void check_type(const mesh::Surface& surface, const SlitArguments& options, const std::string& path) {
+  const bool one_is_enough = (options.is_circular() || options.is_rectangle()) && !asks_for_type(options);
   const std::string why = workshop::why_not_mapped(surface, one_is_enough ? 1 : 2);
-  if (!why.empty()) throw InputError({options.input, 0}, why + way_on(mesh::type_of(surface)));
+  if (!why.empty()) throw InputError({path, 0}, why + way_on(mesh::type_of(surface)));
+}
+
+/// Options that a surface with so many loops gives nothing to do.
+void require_use(const SlitArguments& options, std::size_t loops) {
+  const auto refuse = [&](const char* option, const char* why) {
+    throw InputError({options.input, 0}, std::string(option) + ": " + why);
+  };
+  if (loops > 1 && !options.center.empty())
+    refuse("--center", "the surface has several loops, and the inner one goes around 0 (--inner)");
+  if (loops > 1) return;
+  if (!options.outer.empty() && options.outer != "0" && options.outer.front() != 'v')
+    refuse("--outer", "the surface has one loop");
+  if (!options.inner.empty()) refuse("--inner", "the surface has one loop");
+  if (options.basis >= 0) refuse("--basis", "the surface has one loop, and so no one-forms");
+  if (options.stage >= 0) refuse("--stage", "the surface has one loop, and so no slits to open");
 }
 
 /// Adds the distance to the other surface.
@@ -35,7 +54,7 @@ void compare(workshop::ConformalType& own, const SlitArguments& options, Result&
              const Context& context) {
   const SurfaceInput input = read_surface(options.distance, context, options.doctor);
   workshop::HoledSurface other = workshop::opened(input);
-  check_type(other.mesh().surface, options);
+  check_type(other.mesh().surface, options, options.distance);
   const workshop::ConformalType theirs =
       workshop::conformal_type(std::move(other), {options.distance, {}}, context.progress);
   own.comparison = workshop::comparison(own, theirs, options.mirror);
@@ -91,10 +110,10 @@ Result run_slit(const SlitArguments& options, const Context& context) {
     result.json = tree_of(surface);
     return result;
   }
-  check_type(surface.mesh().surface, options);
-  return options.fingerprint || !options.distance.empty()
-             ? run_fingerprint(std::move(surface), options, std::move(result), context)
-             : run_map(std::move(surface), options, std::move(result), context);
+  check_type(surface.mesh().surface, options, options.input);
+  require_use(options, surface.loops.size());
+  return asks_for_type(options) ? run_fingerprint(std::move(surface), options, std::move(result), context)
+                                : run_map(std::move(surface), options, std::move(result), context);
 }
 
 } // namespace

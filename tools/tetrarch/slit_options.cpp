@@ -96,6 +96,12 @@ void require_sense(const SlitArguments& options) {
     throw InputError("--method ricci needs --domain circular");
   if (options.is_ricci() && options.stage >= 0) throw InputError("--stage needs --method harmonic");
   if (!options.is_circular() && !options.center.empty()) throw InputError("--center needs --domain circular");
+  if (options.is_ricci() && !options.center.empty()) throw InputError("--center needs --method harmonic");
+  if (options.basis >= 0 && (options.is_ricci() || options.is_rectangle()))
+    throw InputError(
+        "--basis: the one-forms are those of harmonic functions (--method harmonic, a domain with "
+        "slits or round holes)");
+  if (options.mirror && options.distance.empty()) throw InputError("--mirror needs --distance");
   if (!options.corners.empty() && !options.is_rectangle())
     throw InputError("--corners needs --domain rectangle");
   if (options.is_rectangle() && (options.balance || options.unflip))
