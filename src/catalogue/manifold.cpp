@@ -286,7 +286,7 @@ std::string_view stored_table_text(TableKey table) {
 }
 
 const std::vector<Manifold>& stored_table(TableKey table) {
-  constexpr std::size_t places = 2 * (most_tetrahedra + 1);
+  constexpr std::size_t places = 2 * (std::size_t{most_tetrahedra} + 1);
   static std::array<std::once_flag, places> is_read;
   static std::array<std::vector<Manifold>, places> tables; // those of no tetrahedra stay empty
   const int n = table.tetrahedra > most_tetrahedra ? 0 : std::max(table.tetrahedra, 0);
