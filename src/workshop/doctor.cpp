@@ -23,12 +23,12 @@ std::vector<std::string> mend(format::Soup& soup, const Doctor& doctor) {
     soup = mesh::component(std::move(soup), *doctor.component);
     done.push_back("took component " + std::to_string(*doctor.component) + " of " + std::to_string(count));
   }
-  const auto take = [&](mesh::Repaired repaired) {
-    soup = std::move(repaired.soup);
+  const auto soup_of = [&done](mesh::Repaired repaired) {
     done.insert(done.end(), repaired.done.begin(), repaired.done.end());
+    return std::move(repaired.soup);
   };
-  if (doctor.split_pinches && soup.tetrahedra.empty()) take(mesh::split_pinches(std::move(soup)));
-  if (doctor.repair) take(mesh::repair(std::move(soup)));
+  if (doctor.split_pinches && soup.tetrahedra.empty()) soup = soup_of(mesh::split_pinches(std::move(soup)));
+  if (doctor.repair) soup = soup_of(mesh::repair(std::move(soup)));
   return done;
 }
 
