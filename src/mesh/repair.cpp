@@ -220,6 +220,7 @@ void mend_thin(Repaired& result) {
   if (mended.collapsed > 0) result.done.push_back(counted("collapsed", mended.collapsed, "edges of needles"));
   if (mended.flipped > 0) result.done.push_back(counted("flipped", mended.flipped, "edges behind caps"));
   if (mended.removed > 0) result.done.push_back(counted("removed", mended.removed, "caps at the boundary"));
+  if (mended.ended_early) result.done.emplace_back("left thin triangles for another repair");
 }
 
 /// The triangles are oriented by now.

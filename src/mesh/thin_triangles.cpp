@@ -32,7 +32,7 @@ public:
       if (is_thin_now(t)) waiting_.push_back(t);
     if (waiting_.empty()) return {};
     for (int t = 0; t < static_cast<int>(soup_.triangles.size()); ++t)
-      for (const int v : corners(t)) at(v).push_back(t);
+      for (const int v : corners(t)) add(t, v);
     // A flip may leave another thin triangle behind, and so on along a line.
     std::size_t budget = 20 * waiting_.size();
     for (; !waiting_.empty() && budget > 0; --budget) {
@@ -40,6 +40,7 @@ public:
       waiting_.pop_front();
       if (!gone_[t] && is_thin_now(t)) mend(t);
     }
+    mended_.ended_early = !waiting_.empty();
     remove_triangles(soup_, gone_);
     return mended_;
   }
@@ -47,7 +48,16 @@ public:
 private:
   const TriangleCorners& corners(int t) const { return soup_.triangles[static_cast<std::size_t>(t)]; }
   const Point& point(int v) const { return soup_.points[static_cast<std::size_t>(v)]; }
-  std::vector<int>& at(int v) { return around_[static_cast<std::size_t>(v)]; }
+  void add(int t, int v) { around_[static_cast<std::size_t>(v)].push_back(t); }
+  /// The triangles at v. Those that have left v are dropped here, when the list is read, not one by one when
+  /// they leave: a vertex may have very many.
+  const std::vector<int>& at(int v) {
+    std::vector<int>& list = around_[static_cast<std::size_t>(v)];
+    std::erase_if(list, [&](int t) { return gone_[t] || !has(t, v); });
+    std::sort(list.begin(), list.end());
+    list.erase(std::unique(list.begin(), list.end()), list.end());
+    return list;
+  }
   bool is_thin_now(int t) const {
     const auto& [a, b, c] = corners(t);
     return is_thin(point(a), point(b), point(c));
@@ -58,35 +68,48 @@ private:
 
   /// The triangles on an edge.
   std::vector<int> on_edge(int u, int v) {
+    const std::size_t of_u = around_[static_cast<std::size_t>(u)].size();
+    const std::size_t of_v = around_[static_cast<std::size_t>(v)].size();
     std::vector<int> found;
-    for (const int t : at(u))
-      if (has(t, v)) found.push_back(t);
+    for (const int t : of_u < of_v ? at(u) : at(v))
+      if (has(t, u) && has(t, v)) found.push_back(t);
     return found;
   }
-  std::vector<int> neighbors(int v) {
-    std::vector<int> found;
+  struct Neighborhood {
+    std::vector<int> vertices; ///< increasing
+    bool is_open = false;      ///< the vertex lies on the boundary
+  };
+  Neighborhood neighborhood(int v) {
+    Neighborhood found;
+    std::vector<int>& all =
+        found.vertices; // each as often as there are triangles on the edge that leads to it
     for (const int t : at(v))
       for (const int w : corners(t))
-        if (w != v) found.push_back(w);
-    std::sort(found.begin(), found.end());
-    found.erase(std::unique(found.begin(), found.end()), found.end());
+        if (w != v) all.push_back(w);
+    std::sort(all.begin(), all.end());
+    auto end = all.begin();
+    for (auto first = all.begin(); first != all.end();) {
+      const int w = *first;
+      const auto last = std::upper_bound(first, all.end(), w);
+      found.is_open = found.is_open || last - first == 1;
+      *end++ = w;
+      first = last;
+    }
+    all.erase(end, all.end());
     return found;
   }
-  bool is_on_boundary(int v) {
-    for (const int w : neighbors(v))
-      if (on_edge(v, w).size() == 1) return true;
-    return false;
-  }
 
-  void take_away(int t) {
-    gone_[t] = 1;
-    for (const int v : corners(t)) std::erase(at(v), t);
-  }
+  void take_away(int t) { gone_[t] = 1; }
   void set(int t, const TriangleCorners& now) {
-    for (const int v : corners(t)) std::erase(at(v), t);
     soup_.triangles[static_cast<std::size_t>(t)] = now;
-    for (const int v : now) at(v).push_back(t);
+    for (const int v : now) add(t, v);
     if (is_thin_now(t)) waiting_.push_back(t);
+  }
+  /// The two other corners of t, increasing.
+  std::pair<int, int> across(int t, int v) const {
+    const auto& c = corners(t);
+    const auto k = static_cast<std::size_t>(std::find(c.begin(), c.end(), v) - c.begin());
+    return std::minmax({c[(k + 1) % 3], c[(k + 2) % 3]});
   }
 
   Vector normal_of(const TriangleCorners& c) const {
@@ -113,24 +136,25 @@ private:
   bool collapse(int u, int v) {
     const std::vector<int> sides = on_edge(u, v);
     if (sides.empty() || sides.size() > 2) return false;
-    const bool u_bounds = is_on_boundary(u);
-    const bool v_bounds = is_on_boundary(v);
-    if (sides.size() == 2 && u_bounds && v_bounds) return false;
-    const std::vector<int> of_u = neighbors(u);
-    const std::vector<int> of_v = neighbors(v);
+    const Neighborhood of_u = neighborhood(u);
+    const Neighborhood of_v = neighborhood(v);
+    if (sides.size() == 2 && of_u.is_open && of_v.is_open) return false;
     std::vector<int> common;
-    std::set_intersection(of_u.begin(), of_u.end(), of_v.begin(), of_v.end(), std::back_inserter(common));
+    std::set_intersection(of_u.vertices.begin(), of_u.vertices.end(), of_v.vertices.begin(),
+                          of_v.vertices.end(), std::back_inserter(common));
     if (common.size() != sides.size() || at(u).size() + at(v).size() <= 2 * sides.size()) return false;
-    const int kept = u_bounds == v_bounds ? std::min(u, v) : u_bounds ? u : v;
+    const int kept = of_u.is_open == of_v.is_open ? std::min(u, v) : of_u.is_open ? u : v;
     const int other = kept == u ? v : u;
+    std::vector<std::pair<int, int>> there;
+    for (const int t : at(kept)) there.push_back(across(t, kept));
+    std::sort(there.begin(), there.end());
     std::vector<std::pair<int, TriangleCorners>> changed;
     for (const int t : at(other)) {
       if (has(t, kept)) continue;
       TriangleCorners now = corners(t);
       std::replace(now.begin(), now.end(), other, kept);
       if (!is_thin_now(t) && !(numeric::dot(normal_of(corners(t)), normal_of(now)) > 0)) return false;
-      const auto is_there = [&](int k) { return has(k, now[0]) && has(k, now[1]) && has(k, now[2]); };
-      if (std::any_of(at(kept).begin(), at(kept).end(), is_there)) return false;
+      if (std::binary_search(there.begin(), there.end(), across(t, other))) return false;
       changed.emplace_back(t, now);
     }
     for (const int t : sides) take_away(t);
@@ -159,7 +183,7 @@ private:
   void remove_cap(int t, const TriangleCorners& c) {
     const bool is_ear = on_edge(c[1], c[2]).size() == 1 || on_edge(c[2], c[0]).size() == 1;
     const bool is_alone = on_edge(c[1], c[2]).size() == 1 && on_edge(c[2], c[0]).size() == 1;
-    if (is_alone || (!is_ear && is_on_boundary(c[2]))) return;
+    if (is_alone || (!is_ear && neighborhood(c[2]).is_open)) return;
     take_away(t);
     ++mended_.removed;
   }

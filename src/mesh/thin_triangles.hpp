@@ -27,11 +27,12 @@ struct ThinMended {
   std::int64_t collapsed = 0; ///< edges
   std::int64_t flipped = 0;   ///< edges
   std::int64_t removed = 0;   ///< caps at the boundary
+  bool ended_early = false;   ///< twenty steps for each thin triangle were not enough
 };
 
 /// Of a soup of triangles that are proper and oriented, with finite points. Nothing is done that changes what
 /// the surface is glued like, or turns another triangle over; so a thin triangle may stay. Vertices move by
-/// 1e-9 of their edges at most. O(n), and the thin ones times their neighbors.
+/// 1e-9 of their edges at most. O(n), and the collapsed edges times the neighbors of their ends.
 ThinMended mend_thin_triangles(format::Soup& soup);
 
 } // namespace tetrarch::mesh

@@ -10,6 +10,8 @@
 
 #include <algorithm>
 #include <catch2/catch.hpp>
+#include <cmath>
+#include <numbers>
 
 using namespace tetrarch;
 using namespace tetrarch::mesh;
@@ -113,6 +115,44 @@ TEST_CASE("needles and caps are taken out, whatever their number, and nothing el
     CHECK(extent(mended).area == Approx(extent(good).area).epsilon(1e-9));
     CHECK(repair(mended).done.empty());
   }
+}
+
+TEST_CASE("needles at a vertex of many triangles are taken out", "[doctor]") {
+  // A fan, closed and open. Each even vertex of the rim lies 1e-13 before the next.
+  constexpr int rim = 100000;
+  for (const bool closed : {true, false}) {
+    Points points{{0, 0, 0}};
+    std::vector<Triangle> triangles;
+    constexpr double step = 2 * std::numbers::pi / rim;
+    for (int k = 0; k < rim; ++k) {
+      const double angle = k % 2 == 0 ? (k + 1) * step - 1e-13 : k * step;
+      points.push_back({std::cos(angle), std::sin(angle), 0});
+      if (k + 1 < rim || closed) triangles.push_back({0, 1 + k, 1 + (k + 1) % rim});
+    }
+    const format::Soup soup = surface_soup(points, triangles);
+    const Repaired mended = repair(soup);
+    CHECK(mended.soup.triangles.size() == triangles.size() - rim / 2);
+    CHECK(validate_surface(mended.soup).count(Severity::fatal) == 0);
+    CHECK(worst_kind(validate_surface(mended.soup)) == 0);
+    CHECK(extent(mended.soup).area == Approx(extent(soup).area).epsilon(1e-12));
+  }
+}
+
+TEST_CASE("two vertices of many triangles become one", "[doctor]") {
+  // A fan about two hubs 1e-13 apart, half the rim each, with a needle to either side.
+  constexpr int rim = 100000;
+  Points points{{0, 0, 0}, {0, 1e-13, 0}};
+  std::vector<Triangle> triangles{{0, 2, 1}, {1, 2 + rim / 2, 0}};
+  for (int k = 0; k < rim; ++k) {
+    const double angle = 2 * std::numbers::pi * k / rim;
+    points.push_back({std::cos(angle), std::sin(angle), 0});
+    triangles.push_back({k < rim / 2 ? 1 : 0, 2 + k, 2 + (k + 1) % rim});
+  }
+  const Repaired mended = repair(surface_soup(points, triangles));
+  CHECK(mended.soup.triangles.size() == rim);
+  CHECK(mended.soup.points.size() == rim + 1);
+  CHECK(validate_surface(mended.soup).count(Severity::fatal) == 0);
+  CHECK(extent(mended.soup).area == Approx(std::numbers::pi).epsilon(1e-8));
 }
 
 TEST_CASE("thin triangles are named, by hand", "[doctor]") {

@@ -366,11 +366,13 @@ class Identify(unittest.TestCase):
                 rows = db.execute("select boundary, count(*) from manifold where tetrahedra = 4 and cusps = 0 group by boundary")
                 self.assertEqual(dict(rows), {"[2]": 628, "[3]": 2034, "[4]": 2340})
                 self.assertEqual(db.execute("pragma integrity_check").fetchall(), [("ok",)])
-            for options, count in ((("--tetrahedra", "4", "--boundary", "2", "--cusps", "0"), 628), (("--volume", "10.42.."), 74)):
-                for table in (file, packed, lines):
-                    if table == file or "--tetrahedra" not in options:
-                        self.assertEqual(run_json("census", "list", "--table", table, "--count", *options)[1]["count"], count)
-            brief = run_json("census", "list", "--table", file)[1]["manifolds"]
+            # A file holds what it holds; only what is asked for is left out.
+            for options, count in ((("--tetrahedra", "4", "--boundary", "2", "--cusps", "0"), 628), (("--tetrahedra", "3"), 151),
+                                   ((), 151 + 5033)):
+                self.assertEqual(run_json("census", "list", "--table", file, "--count", *options)[1]["count"], count, options)
+            for table, options in ((file, ("--tetrahedra", "3")), (packed, ()), (lines, ())):
+                self.assertEqual(run_json("census", "list", "--table", table, "--count", "--volume", "10.42..", *options)[1]["count"], 74)
+            brief = run_json("census", "list", "--table", file, "--tetrahedra", "3")[1]["manifolds"]
             for entry, stored in zip(brief, run_json("census", "list")[1]["manifolds"]):
                 del stored["dihedral_angles"]
                 self.assertEqual(entry, stored)
@@ -435,6 +437,9 @@ class Identify(unittest.TestCase):
         # Regina says of nine of the gluings that the links are a surface of Euler characteristic -2 and one of 0.
         self.assertEqual((listed["count"], {m["orientable"] for m in listed["manifolds"]}), (9, {False}))
         self.assertEqual(run_json("census", "list", "--boundary", "4k")[1]["count"], 0)
+        for options in ((), ("--nonorientable",)):
+            count = run_json("census", "list", "--table", f"{SOURCE}/census/tetn2.json", *options)[1]["count"]
+            self.assertEqual(count, 14, options)
         self.assertEqual(run_json("census", "identify", listed["manifolds"][3]["signature"])[1]["name"], "tetn3_46")
         self.assertFalse(run_json("info", "tetn3_46")[1]["orientable"])
         for bad in ("2k", "k", "3kk", "-3"):
@@ -450,7 +455,8 @@ class Identify(unittest.TestCase):
                     self.assertEqual(run(*job, "-o", path).returncode, 0, name)
                     with open(path, "rb") as file:
                         texts.append(file.read())
-                    self.assertEqual(run_json("census", "list", "--tetrahedra", "2", "--table", path, "--count")[1]["count"], 8)
+                    for options, count in (((), 8), (("--tetrahedra", "2"), 8), (("--tetrahedra", "3"), 0), (("--nonorientable",), 0)):
+                        self.assertEqual(run_json("census", "list", "--table", path, "--count", *options)[1]["count"], count, options)
                 self.assertEqual([lzma.decompress(text) for text in texts[2:]], texts[:2])
                 self.assertEqual(len(texts[1].splitlines()), 9)  # a heading and a line each
                 self.assertEqual(len(json.loads(texts[0])["manifolds"]), 8)

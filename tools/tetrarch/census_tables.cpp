@@ -105,11 +105,13 @@ private:
   const catalogue::Database* file_for(const catalogue::Wanted& wanted) const {
     if (own_file_) return &*own_file_;
     const catalogue::Database* installed = catalogue::installed_database();
-    const bool compiled_in = own_table_ || catalogue::stored_count(key_of(wanted)) > 0;
-    if (compiled_in || installed == nullptr) return nullptr;
+    if (own_table_ || installed == nullptr) return nullptr;
+    const catalogue::TableKey key = key_of(wanted);
+    if (catalogue::stored_count(key) > 0) return nullptr;
     const std::vector<catalogue::TableKey> tables = installed->tables();
-    return std::find(tables.begin(), tables.end(), key_of(wanted)) != tables.end() ? installed : nullptr;
+    return std::find(tables.begin(), tables.end(), key) != tables.end() ? installed : nullptr;
   }
+  /// Of the installed tables: one's own file is searched whole.
   static catalogue::TableKey key_of(const catalogue::Wanted& wanted) {
     return {wanted.tetrahedra.value(), wanted.orientable.value_or(true)};
   }
@@ -170,9 +172,15 @@ std::string shortened(const std::string& volume) {
   return fixed(format::parse_double(volume).value_or(0), decimals);
 }
 
+namespace {
+const std::string tetrahedra_help = "number of tetrahedra";
+const std::string nonorientable_help =
+    "the manifolds that are not orientable, which have a table of their own";
+} // namespace
+
 void add_tetrahedra(OptionTable& table, int& tetrahedra, bool required) {
-  Option& option = table.add("--tetrahedra", tetrahedra, "number of tetrahedra")
-                       .in_range(1, enumeration::max_gluing_tetrahedra);
+  Option& option =
+      table.add("--tetrahedra", tetrahedra, tetrahedra_help).in_range(1, enumeration::max_gluing_tetrahedra);
   if (required)
     option.required();
   else
@@ -181,8 +189,7 @@ void add_tetrahedra(OptionTable& table, int& tetrahedra, bool required) {
 
 void add_table_choice(OptionTable& table, TableChoice& choice, bool required) {
   add_tetrahedra(table, choice.tetrahedra, required);
-  table.add("--nonorientable", choice.nonorientable,
-            "the manifolds that are not orientable, which have a table of their own");
+  table.add("--nonorientable", choice.nonorientable, nonorientable_help);
 }
 
 std::vector<Manifold> read_table_file(const std::string& path) {
@@ -191,7 +198,8 @@ std::vector<Manifold> read_table_file(const std::string& path) {
 
 Run declare_census_list(OptionTable& table) {
   struct Options {
-    TableChoice choice;
+    std::optional<int> tetrahedra;
+    bool nonorientable = false;
     std::string table;
     std::string boundary;
     std::string volume;
@@ -200,7 +208,8 @@ Run declare_census_list(OptionTable& table) {
     bool count = false;
   };
   const auto o = std::make_shared<Options>();
-  add_table_choice(table, o->choice, false);
+  table.add("--tetrahedra", o->tetrahedra, tetrahedra_help).in_range(1, enumeration::max_gluing_tetrahedra);
+  table.add("--nonorientable", o->nonorientable, nonorientable_help);
   add_table(table, o->table);
   table
       .add("--boundary", o->boundary,
@@ -215,12 +224,14 @@ Run declare_census_list(OptionTable& table) {
   table.add("--count", o->count, "print no more than their number");
   return [o](const Context& context) {
     const auto [least, greatest] = range_in(o->volume);
-    const catalogue::Wanted wanted{
-        o->choice.tetrahedra,    genera_in(o->boundary), least, greatest, o->homology, o->cusps,
-        !o->choice.nonorientable};
+    catalogue::Wanted wanted{
+        o->tetrahedra, genera_in(o->boundary), least, greatest, o->homology, o->cusps, {}};
+    if (o->table.empty() && !wanted.tetrahedra) wanted.tetrahedra = TableChoice().tetrahedra;
+    // A file may hold either kind, or both.
+    if (o->table.empty() || o->nonorientable) wanted.orientable = !o->nonorientable;
     const Source source(o->table);
     Result result;
-    result.json = {{"tetrahedra", o->choice.tetrahedra}, {"count", 0}};
+    result.json = {{"tetrahedra", wanted.tetrahedra ? Json(*wanted.tetrahedra) : Json()}, {"count", 0}};
     if (o->count) {
       const long long count = source.count(wanted);
       result.json["count"] = count;

@@ -107,8 +107,10 @@ const std::vector<Command>& commands() {
        "census merge samples/census_work.records --tetrahedra 2 -o census.json", declare_census_merge},
       {tables, "census validate", "rebuild a stored table from nothing and solve its manifolds again",
        "census validate --tetrahedra 2", declare_census_validate},
-      {tables, "census list", "list the manifolds of a stored table", "census list --tetrahedra 2",
-       declare_census_list},
+      {tables, "census list",
+       "list the manifolds of a stored table, that of three tetrahedra or all of a file unless options say "
+       "less",
+       "census list --tetrahedra 2", declare_census_list},
       {tables, "census show", "show the entry of one manifold", "census show fmp3_17", declare_census_show},
       {tables, "census table", "put tables together in one SQLite file, which other programs can ask",
        "census table samples/census.jsonl -o census.sqlite", declare_census_table},

@@ -18,8 +18,8 @@
 ///
 /// Law: of the findings of `validate` or `validate_surface` on the result, none is repairable, unless an
 /// index is out of range; then unused points are kept, as renumbering would make another point of it. So a
-/// second repair does nothing. What else is fatal stays fatal: nothing is removed or cut along edges and
-/// faces to make a manifold.
+/// second repair does nothing, unless `done` says that thin triangles were left for it. What else is fatal
+/// stays fatal: nothing is removed or cut along edges and faces to make a manifold.
 
 #include "tetrarch/format/soup.hpp"
 
