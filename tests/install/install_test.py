@@ -173,6 +173,10 @@ class Pages(unittest.TestCase):
                 for name in option["names"]:
                     self.assertRegex(text, rf"(^|[ ,]){re.escape(name)}\b", page)
                 self.assertIn(option["help"], text)
+            for field in command.get("result", []):
+                self.assertRegex(text, rf"(?m)^ *{field['name']}\b")
+                self.assertIn(field["meaning"][1:], text)
+            self.assertEqual("result" in command, "\nRESULT\n" in text, page)
             self.assertIn(command["example"], text)
             for title in ("NAME", "SYNOPSIS", "DESCRIPTION", "COMMON OPTIONS", "EXIT STATUS", "EXAMPLES", "SEE ALSO"):
                 self.assertIn(f"\n{title}\n", text)

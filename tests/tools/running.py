@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Running the program in tests, and what was typed in all of them."""
+import functools
 import json
 import os
 import re
@@ -26,9 +27,22 @@ def run(*arguments, stdin=None, cwd=None, env=None):
     return done
 
 
+@functools.cache
+def listed_fields():
+    """Of each command that lists the fields of its result: their names."""
+    told = json.loads(subprocess.run([PROGRAM, "help", "--json"], capture_output=True, text=True, check=True).stdout)
+    return {tuple(command["name"].split()): {field["name"] for field in command["result"] + told["common_result"]}
+            for command in told["commands"] if "result" in command}
+
+
 def run_json(*arguments):
     done = run(*arguments, "--json")
-    return done.returncode, json.loads(done.stdout)
+    result = json.loads(done.stdout)
+    fields = next((names for command, names in listed_fields().items() if arguments[:len(command)] == command), None)
+    unlisted = set(result) - fields if fields is not None and isinstance(result, dict) else set()
+    if unlisted:
+        raise AssertionError("%s: members that help --json does not list: %s" % (arguments, ", ".join(sorted(unlisted))))
+    return done.returncode, result
 
 
 def seconds_of_children():

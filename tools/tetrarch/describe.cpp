@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "describe.hpp"
 
+#include "finish.hpp"
 #include "parse.hpp"
 #include "text.hpp"
 
@@ -59,6 +60,10 @@ Json argument_json(const Option& option) {
           {"repeats", option.repeats()}};
 }
 
+Json field_json(const workshop::FieldNote& field) {
+  return {{"name", field.name}, {"unit", field.unit}, {"meaning", field.meaning}};
+}
+
 Json command_json(const Declared& declared, const std::string& program) {
   const Command& command = *declared.command;
   Json json{{"name", command.name},       {"group", command.group},
@@ -71,8 +76,7 @@ Json command_json(const Declared& declared, const std::string& program) {
       json["options"].push_back(option_json(option));
   }
   if (command.fields != nullptr)
-    for (const workshop::FieldNote& field : command.fields())
-      json["result"].push_back({{"name", field.name}, {"unit", field.unit}, {"meaning", field.meaning}});
+    for (const workshop::FieldNote& field : command.fields()) json["result"].push_back(field_json(field));
   return json;
 }
 
@@ -192,8 +196,13 @@ std::string overview(const std::vector<Command>& table, const std::string& name,
 
 Json describe(const std::vector<Command>& table, const std::string& program) {
   const std::string start = program.empty() ? "" : program + " ";
-  Json json{{"program", "tetrarch"},     {"version", TETRARCH_VERSION}, {"summary", summary},
-            {"commands", Json::array()}, {"common", common_json()},     {"exit_status", exit_statuses()}};
+  Json json{{"program", "tetrarch"},
+            {"version", TETRARCH_VERSION},
+            {"summary", summary},
+            {"commands", Json::array()},
+            {"common", common_json()},
+            {"common_result", Json(std::vector<Json>{field_json(passed_over_note)})},
+            {"exit_status", exit_statuses()}};
   for (const Declared& command : declared(table)) json["commands"].push_back(command_json(command, start));
   return json;
 }
