@@ -7,15 +7,13 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 namespace tetrarch::format {
-namespace {
 
 std::string indent(int depth) {
   return std::string(static_cast<std::size_t>(2 * depth), ' ');
 }
-
-} // namespace
 
 std::string dumped(const Json& value, int depth) {
   const std::string flat = value.dump(2, ' ', false, Json::error_handler_t::replace);
@@ -29,32 +27,29 @@ std::string dumped(const Json& value, int depth) {
 
 std::string object_text(const Json& read, std::vector<JsonMember> known, int depth) {
   std::string text;
-  const auto add = [&](const std::string& key, const std::string& value) {
-    text += (text.empty() ? "{\n" : ",\n") + indent(depth + 1) + dumped(Json(key), 0) + ": " + value;
+  constexpr std::size_t more = 64; // for its key, and what stands around it
+  std::size_t size = more;
+  for (const JsonMember& m : known) size += m.text ? m.text->size() + more : 0;
+  text.reserve(size);
+  const auto add = [&](const std::string& key, std::optional<std::string> value) {
+    text += (text.empty() ? "{\n" : ",\n") + indent(depth + 1) + dumped(Json(key), 0) + ": ";
+    text += *value;
   };
   if (read.is_object()) {
     for (const auto& [key, value] : read.items()) {
       const auto at =
           std::find_if(known.begin(), known.end(), [&k = key](const JsonMember& m) { return m.key == k; });
-      if (at == known.end()) {
+      if (at == known.end())
         add(key, dumped(value, depth + 1));
-      } else if (at->text) {
-        add(key, *at->text);
-        at->text.reset();
-      }
+      else if (at->text)
+        add(key, std::exchange(at->text, std::nullopt));
     }
   }
-  for (const JsonMember& m : known)
-    if (m.text) add(m.key, *m.text);
-  return text.empty() ? "{}" : text + "\n" + indent(depth) + "}";
-}
-
-std::string array_text(const std::vector<std::string>& lines, int depth) {
-  if (lines.empty()) return "[]";
-  std::string text = "[\n";
-  for (std::size_t i = 0; i < lines.size(); ++i)
-    text += indent(depth + 1) + lines[i] + (i + 1 < lines.size() ? ",\n" : "\n");
-  return text + indent(depth) + "]";
+  for (JsonMember& m : known)
+    if (m.text) add(m.key, std::exchange(m.text, std::nullopt));
+  if (text.empty()) return "{}";
+  text += "\n" + indent(depth) + "}";
+  return text;
 }
 
 std::vector<JsonMember> first_members(std::string_view format, int version, const std::string& name) {

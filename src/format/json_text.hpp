@@ -25,11 +25,28 @@ struct JsonMember {
 /// midst of saving.
 std::string dumped(const Json& value, int depth);
 
+/// Two spaces for each level.
+std::string indent(int depth);
+
 /// The members of `read` in their order, known ones with their new text, then the known ones that are new.
+/// The text of each is let go as soon as it is copied: of a large document the whole is there once, not
+/// twice.
 std::string object_text(const Json& read, std::vector<JsonMember> known, int depth);
 
-/// `lines` as an array with one entry a line.
-std::string array_text(const std::vector<std::string>& lines, int depth);
+/// `list` as an array with one entry a line, each as `text(entry)` says.
+template <class List, class Text>
+std::string array_text(const List& list, int depth, Text text) {
+  std::string array = "[";
+  const std::string start = "\n" + indent(depth + 1);
+  for (const auto& entry : list) {
+    if (array.size() > 1) array += ',';
+    array += start;
+    array += text(entry);
+  }
+  if (array.size() > 1) array += "\n" + indent(depth);
+  array += ']';
+  return array;
+}
 
 /// The members that every format has: "format" and "version", "name" if there is one ...
 std::vector<JsonMember> first_members(std::string_view format, int version, const std::string& name);
@@ -48,14 +65,10 @@ std::string row_text(const Entries& entries, Text text) {
   return (line.empty() ? "[" : line) + "]";
 }
 
-/// `list` as an array with one entry a line, each as `text(entry)` says; nothing if it is empty.
+/// The same; nothing if it is empty.
 template <class List, class Text>
 std::optional<std::string> list_text(const List& list, int depth, Text text) {
-  if (list.empty()) return std::nullopt;
-  std::vector<std::string> lines;
-  lines.reserve(list.size());
-  for (const auto& entry : list) lines.push_back(text(entry));
-  return array_text(lines, depth);
+  return list.empty() ? std::nullopt : std::optional(array_text(list, depth, text));
 }
 
 /// Each entry an array of integers.

@@ -7,6 +7,7 @@
 
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <ranges>
 #include <utility>
 #include <vector>
 
@@ -14,18 +15,15 @@ namespace tetrarch::format {
 namespace {
 
 std::string gluings_text(const Triangulation& tri) {
-  std::vector<std::string> lines;
-  lines.reserve(static_cast<std::size_t>(tri.size()));
-  for (int t = 0; t < tri.size(); ++t) {
+  return array_text(std::views::iota(0, tri.size()), 1, [&tri](int t) {
     std::string line = "[";
     for (int f = 0; f < 4; ++f) {
       const Gluing g = tri.gluing({t, f});
       if (f > 0) line += ", ";
       line += g.tet < 0 ? "null" : "[" + std::to_string(g.tet) + ", \"" + g.perm.str() + "\"]";
     }
-    lines.push_back(line + "]");
-  }
-  return array_text(lines, 1);
+    return line + "]";
+  });
 }
 
 std::string number_text(const Number& number) {

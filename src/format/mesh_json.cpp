@@ -8,6 +8,8 @@
 
 #include <algorithm>
 #include <limits>
+#include <ranges>
+#include <span>
 
 namespace tetrarch::format {
 namespace {
@@ -142,18 +144,15 @@ std::string field_text(const MeshField& field, const MeshDocument& mesh) {
       field.values.size() != entries(mesh, field.on) * static_cast<std::size_t>(field.components))
     throw PreconditionError("the field '" + field.name + "' does not fit the " + name_of(field.on));
   const auto components = static_cast<std::size_t>(field.components);
-  std::vector<std::string> lines;
-  lines.reserve(field.values.size() / components);
-  for (std::size_t k = 0; k < field.values.size(); k += components) {
-    std::string line;
-    for (std::size_t c = 0; c < components; ++c)
-      line += (c > 0 ? ", " : "") + double_text(field.values[k + c]);
-    lines.push_back(components > 1 ? "[" + line + "]" : line);
-  }
+  const std::size_t rows = field.values.size() / components;
+  const auto row = [&](std::size_t k) {
+    const auto first = field.values.begin() + static_cast<std::ptrdiff_t>(k * components);
+    return components == 1 ? double_text(*first) : row_text(std::span(first, components), double_text);
+  };
   return object_text(field.members,
                      {{"name", dumped(Json(field.name), 0)},
                       {"on", dumped(Json(name_of(field.on)), 0)},
-                      {"values", array_text(lines, 3)}},
+                      {"values", array_text(std::views::iota(std::size_t{0}, rows), 3, row)}},
                      2);
 }
 
