@@ -41,7 +41,8 @@ const char* cut_name(Plan::Method method) {
 
 /// Nothing if the bundle over so many triangles is allowed to take what it takes.
 std::optional<double> bytes_beyond(double triangles, const BundleOptions& options) {
-  const double bytes = bundle::bundle_bytes(3.0 * options.plan.fiber * triangles);
+  const double tetrahedra = 3.0 * options.plan.fiber * triangles;
+  const double bytes = bundle::bundle_bytes(tetrahedra, triangles) + options.bytes_a_tetrahedron * tetrahedra;
   return bytes <= options.most_bytes ? std::nullopt : std::optional(bytes);
 }
 

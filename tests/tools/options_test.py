@@ -1,11 +1,12 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Options that no other test of the program uses, each with what it changes. Part of program_test.py."""
 import json
+import math
 import os
 import re
 import unittest
 
-from running import SOURCE, InFolder, run, run_json
+from running import INSTRUMENTED, SOURCE, InFolder, peak_memory, run, run_json
 
 DATA = os.path.join(SOURCE, "tests/data")
 RING = os.path.join(DATA, "mesh/ring_two_holes.off")
@@ -258,6 +259,22 @@ class Structures(Options):
         self.assertEqual(run("embed", "cPcbbbihq", "--copies", "1000", "--memory", "1").returncode, 0)
         self.assertEqual(run("bundle", TORUS, "--fiber", "500", "--memory", "0.001").returncode, 2)
         self.assertEqual(run("bundle", TORUS, "--fiber", "50", "--memory", "1").returncode, 0)
+
+    @unittest.skipIf(INSTRUMENTED, "AddressSanitizer's shadow counts as memory")
+    def test_a_bundle_takes_the_memory_that_it_says(self):
+        # Asked with too little, it says how much it takes; the kernel says how much it took, with the program itself.
+        program, size = 14e6, 60
+        number = lambda i, j: i % size * size + j % size  # noqa: E731
+        turn = [(math.cos(2 * math.pi * i / size), math.sin(2 * math.pi * i / size)) for i in range(size)]
+        points = "".join("%r %r %r\n" % ((3 + x) * c, (3 + x) * s, y) for c, s in turn for x, y in turn)
+        squares = [[number(i, j), number(i + 1, j), number(i + 1, j + 1), number(i, j + 1)] for i in range(size) for j in range(size)]
+        faces = "".join("3 %d %d %d\n3 %d %d %d\n" % (a, b, c, a, c, d) for a, b, c, d in squares)
+        torus = self.path("torus.off", "OFF\n%d %d 0\n" % (size**2, 2 * size**2) + points + faces)
+        for options in ((), ("-o", self.path("torus.json"))):
+            command = ("bundle", torus, "--fiber", "16", *options)
+            told = run(*command, "--memory", "0.05").stderr
+            promised = float(re.search(r"about (\d+) MB would be needed", told)[1]) * 1e6
+            self.assertAlmostEqual((peak_memory(*command) - program) / promised, 1, delta=0.15)
 
 
 class Surfaces(Options):

@@ -45,6 +45,16 @@ def run_json(*arguments):
     return done.returncode, result
 
 
+def peak_memory(*arguments):
+    """In bytes, of a run whose output goes nowhere; at least what Python has itself, of which the kernel makes it begin."""
+    child = os.posix_spawn(PROGRAM, [PROGRAM, *arguments], os.environ,
+                           file_actions=[(os.POSIX_SPAWN_OPEN, 1, os.devnull, os.O_WRONLY, 0)])
+    _, status, used = os.wait4(child, 0)
+    if status != 0:
+        raise AssertionError("%s: status %d" % (arguments, status))
+    return used.ru_maxrss * 1024
+
+
 def seconds_of_children():
     """Processor seconds of all runs until now."""
     used = resource.getrusage(resource.RUSAGE_CHILDREN)

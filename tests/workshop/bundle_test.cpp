@@ -96,5 +96,7 @@ TEST_CASE("what takes too much memory is not begun", "[workshop]") {
   const SurfaceBundle found = circle_bundle(triangle(), options);
   CHECK(found.verdict() == Verdict::undecided);
   REQUIRE(found.bytes_needed);
-  CHECK(*found.bytes_needed == Approx(bundle::bundle_bytes(3 * 8))); // one triangle, 8 prisms
+  CHECK(*found.bytes_needed == Approx(bundle::bundle_bytes(3 * 8, 1))); // one triangle, 8 prisms
+  options.bytes_a_tetrahedron = 100;
+  CHECK(*circle_bundle(triangle(), options).bytes_needed == Approx(bundle::bundle_bytes(3 * 8, 1) + 2400));
 }

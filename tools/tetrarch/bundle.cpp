@@ -13,6 +13,7 @@
 #include "tetrarch/show/bundle.hpp"
 #include "tetrarch/workshop/bundle.hpp"
 
+#include <array>
 #include <cmath>
 #include <memory>
 #include <optional>
@@ -132,6 +133,22 @@ void add_obstruction(Result& result, const workshop::SurfaceBundle& found, const
     result.warnings.push_back("there is no obstruction: " + in_quotes(path) + " was not written");
 }
 
+/// Memory for the texts of files beyond what is free again when they are written, as measured. Of a disk
+/// pictures show every tetrahedron, else the surfaces of the solid tori, which take less than the work
+/// before.
+double file_bytes_a_tetrahedron(const std::vector<std::string>& outputs, bool is_disk) {
+  constexpr std::array<std::pair<const char*, double>, 3> texts{
+      {{".json", 200}, {".tri", 420}, {".fmp", 100}}};
+  constexpr std::array<std::pair<const char*, double>, 3> pictures{
+      {{".glb", 85}, {".ply", 76}, {".obj", 490}}};
+  double bytes = 0;
+  for (const std::string& path : outputs)
+    for (const auto& list : {texts, pictures})
+      for (const auto& [extension, of_one] : list)
+        if (format::has_extension(path, extension)) bytes += list == texts || is_disk ? of_one : 0;
+  return bytes;
+}
+
 workshop::BundleOptions bundle_options(const BundleArguments& options, const SurfaceInput& surface,
                                        const Context& context) {
   workshop::BundleOptions how;
@@ -140,6 +157,8 @@ workshop::BundleOptions bundle_options(const BundleArguments& options, const Sur
   how.seed = context.seed;
   constexpr double bytes_of_gigabyte = 1e9;
   how.most_bytes = bytes_of_gigabyte * allowed_gigabytes(context);
+  how.bytes_a_tetrahedron =
+      file_bytes_a_tetrahedron(options.outputs, mesh::type_of(surface.mesh.surface).is_disk());
   return how;
 }
 

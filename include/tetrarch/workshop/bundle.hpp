@@ -33,6 +33,7 @@ struct BundleOptions {
   std::optional<std::array<double, 3>> field;
   std::uint64_t seed = 1;
   double most_bytes = std::numeric_limits<double>::infinity(); ///< that the work may take
+  double bytes_a_tetrahedron = 0; ///< that come on top, of what is made of the bundle afterwards
 };
 
 /// The bundle, or why there is none. It owns all that it speaks of.
