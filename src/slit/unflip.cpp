@@ -2,6 +2,7 @@
 #include "tetrarch/slit/unflip.hpp"
 
 #include "banks.hpp"
+#include "folded_part.hpp"
 #include "full_turn.hpp"
 #include "placing.hpp"
 #include "tetrarch/slit/quality.hpp"
@@ -92,7 +93,7 @@ public:
   /// Only the `judged` triangles are to be set right.
   Drawing(const mesh::TriangleMesh& mesh, std::vector<Complex> along, std::vector<char> skipped,
           std::vector<int> judged)
-      : surface_(mesh.surface), along_(std::move(along)), skipped_(std::move(skipped)),
+      : surface_(mesh.surface), points_(mesh.points), along_(std::move(along)), skipped_(std::move(skipped)),
         judged_(std::move(judged)), width_(skipped_.size(), 0.0),
         some_end_(static_cast<std::size_t>(surface_.vertex_count())) {
     for (const int t : judged_) width_[t] = width(numeric::laid_flat(mesh.points, surface_.corners(t)));
@@ -123,9 +124,12 @@ public:
       if (wrong.empty() || sweep % sweeps_between_counts == 0 || sweep + 1 == most_sweeps)
         keep_if_better(best);
     }
-    for (auto step = since_best_.rbegin(); step != since_best_.rend(); ++step) {
-      move(step->first, -step->second);
-      moved(step->first, -step->second);
+    take_back(moved);
+    for (const int rings : {2, 4, 8}) {
+      if (best.flipped == 0) break;
+      unfold_around(flipped_among_all(), rings, freedom, take);
+      keep_if_better(best);
+      take_back(moved);
     }
     Unflipped result;
     result.left = best.flipped + best.narrow;
@@ -182,6 +186,78 @@ private:
     since_best_.clear();
   }
 
+  void take_back(const std::function<void(int, Complex)>& moved) {
+    for (auto step = since_best_.rbegin(); step != since_best_.rend(); ++step) {
+      move(step->first, -step->second);
+      moved(step->first, -step->second);
+    }
+    since_best_.clear();
+  }
+
+  /// Moves the vertices near some triangles all at once, by the foldover-free energy. Nothing where the part
+  /// goes around the cylinder, as it is no part of the plane then.
+  void unfold_around(const std::vector<int>& triangles, int rings, const Freedom& freedom,
+                     const std::function<void(int, Complex)>& take) const {
+    const std::vector<int> moving = around(triangles, rings);
+    std::vector<int> near;
+    std::map<int, std::vector<int>> at; // the triangles of the part at each of its vertices
+    for (const int v : moving)
+      for (const mesh::SideEnd e : mesh::fan(surface_, some_end_[v]))
+        if (!skipped_[e.side.triangle()]) near.push_back(e.side.triangle());
+    std::sort(near.begin(), near.end());
+    near.erase(std::unique(near.begin(), near.end()), near.end());
+    for (const int t : near)
+      for (const int v : surface_.corners(t)) at[v].push_back(t);
+    const std::map<int, Complex> place = laid_out(near, at);
+    if (place.empty()) return;
+    FoldedPart part;
+    std::map<int, int> point;
+    for (const auto& [v, z] : place) {
+      point[v] = static_cast<int>(part.points.size());
+      part.points.push_back(z);
+      part.freedom.emplace_back();
+    }
+    for (const int v : moving)
+      if (const auto found = point.find(v); found != point.end())
+        part.freedom[found->second] = freedom.slides(v);
+    for (const int t : near) {
+      const auto& c = surface_.corners(t);
+      part.elements.push_back({{point[c[0]], point[c[1]], point[c[2]]}, numeric::laid_flat(points_, c)});
+    }
+    const std::vector<Complex> now = unfolded(part);
+    for (const auto& [v, k] : point)
+      if (part.freedom[k] && now[k] != part.points[k]) take(v, freedom.kept(v, now[k] - part.points[k]));
+  }
+
+  /// Places of the vertices of some triangles, each piece somewhere; nothing if they do not lie in a plane.
+  std::map<int, Complex> laid_out(const std::vector<int>& part, std::map<int, std::vector<int>>& at) const {
+    std::map<int, Complex> place;
+    for (const int first : part) {
+      std::vector<int> waiting;
+      if (place.try_emplace(surface_.corners(first)[0], 0.0).second) waiting = at[surface_.corners(first)[0]];
+      while (!waiting.empty()) {
+        const int t = waiting.back();
+        waiting.pop_back();
+        const auto& c = surface_.corners(t);
+        const auto known = static_cast<std::size_t>(
+            std::find_if(c.begin(), c.end(), [&](int v) { return place.count(v) > 0; }) - c.begin());
+        Complex z = place[c[known]];
+        for (std::size_t k = 1; k <= 2; ++k) {
+          const std::size_t corner = (known + k) % 3;
+          // Side s runs from corner s + 1 to corner s + 2.
+          const Complex edge = along_[Side(t, static_cast<int>((known + k + 1) % 3)).value];
+          z += edge;
+          const auto [there, is_new] = place.try_emplace(c[corner], z);
+          if (is_new)
+            waiting.insert(waiting.end(), at[c[corner]].begin(), at[c[corner]].end());
+          else if (std::abs(there->second - z) > 1e-6 * std::abs(edge))
+            return {};
+        }
+      }
+    }
+    return place;
+  }
+
   /// The vertices of triangles and so many rings around, each once, in the order in which they are met.
   std::vector<int> around(const std::vector<int>& triangles, int rings) const {
     std::vector<int> result;
@@ -214,11 +290,20 @@ private:
     return result;
   }
 
+  /// Of a vertex of one triangle: the step that takes it to the middle between the two others. On a circle that
+  /// is where the triangle is widest; along the tangent it would grow for ever.
+  Complex to_the_middle(int v) const {
+    const mesh::SideEnd e = some_end_[v];
+    const Side opposite(e.side.triangle(), e.corner());
+    return (along_[opposite.previous().value] - along_[opposite.next().value]) / 2.0;
+  }
+
   /// The step that takes v farther from its walls; 0 if there is none.
   Complex improved(int v, const Freedom& freedom) const {
     const std::vector<Wall> limits = walls(v);
     const Complex direction = freedom.slides(v);
     Complex step = direction == 0.0 ? best_anywhere(limits) : best_along(limits, direction);
+    if (direction != 0.0 && limits.size() == 1) step = to_the_middle(v);
     const double before = least(limits, 0);
     // On a circle the straight step is too long at worst.
     constexpr int most_halvings = 20;
@@ -239,6 +324,7 @@ private:
   }
 
   const Surface& surface_;
+  const std::vector<numeric::Point>& points_;
   std::vector<Complex> along_;
   std::vector<char> skipped_;
   std::vector<int> judged_;

@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <map>
 
 namespace {
 
@@ -310,7 +311,7 @@ TEST_CASE("Circular domains of tubes flip no triangle, however long the tubes ar
     // Both cracks shorten the ring by what their arcs do alone: 2 log cos(a / 4) for an angle a, as they are
     // far apart.
     CHECK(std::log(map.domain.circles[1].radius) ==
-          Approx(-ring.modulus + 4 * std::log(std::cos(full_turn / 16))).margin(0.02));
+          Approx(-ring.modulus + 4 * std::log(std::cos(full_turn / 16))).margin(0.1));
   }
 }
 
@@ -337,6 +338,83 @@ TEST_CASE("The search for a better drawing never returns a worse one") {
     unflip_in_disk(domain.mesh, map);
     CHECK(distortion_in_disk(domain.mesh, map).flipped.size() <= before);
   }
+}
+
+TEST_CASE("A part in disorder is unfolded, in the disk, on the ring and on the cylinder") {
+  // Where one vertex after the other is moved, many of these end with triangles that block each other.
+  Random random(21);
+  std::size_t disturbed = 0;
+  for (int round = 0; round < 20; ++round) {
+    const CrackedCylinder domain = slit_ring(refined(two_slits(), 1 + round % 2), moebius);
+    const TriangleList plain{domain.mesh.surface.triangles(), domain.mesh.points,
+                             domain.mesh.surface.vertex_count()};
+    const TriangleList bad = retriangulated(plain, random, 0, 100);
+    const mesh::TriangleMesh mesh{bad.points, bad.surface()};
+    const mesh::Surface& surface = mesh.surface;
+    const OneForms forms(mesh);
+    const std::vector<int> loop = mesh::loops_of_vertices(forms.loops(), surface);
+    const SlitMap slits = slit_map(forms, outer_loop(forms, domain), inner_loop(forms, domain));
+    const CircularMap circles = circular_map(forms, slits);
+    // All vertices near one take random places there; those of loops slide.
+    const int center = random.below(surface.vertex_count());
+    constexpr double reach = 0.8;
+    CircularMap disk = circles;
+    for (std::size_t v = 0; v < disk.position.size(); ++v)
+      if (loop[v] < 0 && std::abs(circles.position[v] - circles.position[center]) < reach)
+        disk.position[v] = circles.position[center] +
+                           std::polar(reach * std::sqrt(random.uniform()), full_turn * random.uniform());
+    SlitMap cylinder = slits;
+    std::map<int, double> shift; // of angles
+    for (int v = 0; v < surface.vertex_count(); ++v)
+      if (std::abs(slits.log_radius[v] - slits.log_radius[center]) < reach &&
+          std::abs(std::remainder(slits.angle[v] - slits.angle[center], full_turn)) < reach)
+        shift[v] = reach * (2 * random.uniform() - 1);
+    for (int s = 0; s < surface.side_count(); ++s)
+      for (const auto& [v, angle] : shift) {
+        if (surface.to(mesh::Side(s)) == v) cylinder.form.imaginary[s] += angle;
+        if (surface.from(mesh::Side(s)) == v) cylinder.form.imaginary[s] -= angle;
+      }
+    for (const auto& [v, angle] : shift) cylinder.angle[v] += angle;
+    SlitMap ring = cylinder;
+    INFO("round " << round);
+    disturbed += distortion_in_disk(mesh, disk).flipped.size() +
+                 distortion_on_cylinder(forms, cylinder).flipped.size();
+    unflip_in_disk(mesh, disk);
+    unflip_on_cylinder(forms, cylinder);
+    unflip_on_ring(forms, ring);
+    CHECK(distortion_in_disk(mesh, disk).flipped.empty());
+    CHECK(distortion_on_cylinder(forms, cylinder).flipped.empty());
+    CHECK(distortion_on_ring(forms, ring).flipped.empty());
+    CHECK(residuals(forms, cylinder).radius < 1e-12); // loops still lie on their slits
+  }
+  CHECK(disturbed > 300);
+}
+
+TEST_CASE("A vertex of one triangle is put between its neighbors on the circle") {
+  // A polygon whose corner 0 is cut off by an ear; the ear's tip has slid past a neighbor.
+  constexpr int corners = 12;
+  TriangleList plain{{}, {}, corners + 1};
+  for (int k = 0; k < corners; ++k) {
+    const Complex at = std::polar(1.0, full_turn * k / corners);
+    plain.points.push_back({at.real(), at.imag(), 0});
+    if (k > 0 && k + 1 < corners) plain.triangles.push_back({k, k + 1, corners});
+  }
+  plain.points.push_back({0, 0, 0});
+  plain.triangles.push_back({corners - 1, 1, corners});
+  plain.triangles.push_back({0, 1, corners - 1});
+  const mesh::TriangleMesh mesh{plain.points, plain.surface()};
+  CircularMap map = disk_map(mesh, corners);
+  REQUIRE(distortion_in_disk(mesh, map).flipped.empty());
+
+  map.position[0] = map.position[1] * std::polar(1.0, 0.01);
+  REQUIRE(distortion_in_disk(mesh, map).flipped == std::vector<int>{corners - 1});
+  const std::vector<Complex> before = map.position;
+  unflip_in_disk(mesh, map);
+  CHECK(distortion_in_disk(mesh, map).flipped.empty());
+  CHECK(std::abs(map.position[0]) == Approx(1));
+  // It went back itself; its neighbors need not make room.
+  CHECK(std::arg(before[1] / map.position[0]) > 0.1);
+  CHECK(std::arg(map.position[0] / before[corners - 1]) > 0.1);
 }
 
 TEST_CASE("Fingerprints are those of the surface, not of its triangles") {
