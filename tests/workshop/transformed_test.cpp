@@ -32,7 +32,7 @@ HoledSurface with_holes(mesh::TriangleMesh mesh) {
   return opened(surface);
 }
 
-mesh::TriangleMesh sample() {
+mesh::TriangleMesh ring_with_holes() {
   return surface_of(open_mesh(TETRARCH_SOURCE_DIR "/tests/data/mesh/ring_two_holes.off")).mesh;
 }
 
@@ -127,7 +127,7 @@ Transformed transformed(const mesh::TriangleMesh& mesh, support::Random& random,
 TEST_CASE("the conformal type of a surface stays, whatever it is transformed by", "[workshop]") {
   FingerprintOptions coarse;
   coarse.most_triangles = 30'000;
-  const std::array<mesh::TriangleMesh, 2> surfaces{sample(), bent_tube()};
+  const std::array<mesh::TriangleMesh, 2> surfaces{ring_with_holes(), bent_tube()};
   std::array<ConformalType, 2> types{conformal_type(with_holes(surfaces[0]), coarse),
                                      conformal_type(with_holes(surfaces[1]), coarse)};
   for (unsigned seed = 1; seed <= 16; ++seed) {
@@ -147,7 +147,7 @@ TEST_CASE("the conformal type of a surface stays, whatever it is transformed by"
 
 TEST_CASE("a surface is registered with itself, whatever it is transformed by", "[workshop]") {
   // Fine enough: a triangulation and a finer one of it are not the same to harmonic functions.
-  const std::array<mesh::TriangleMesh, 2> surfaces{mesh::refined(sample()), mesh::refined(bent_tube())};
+  const std::array<mesh::TriangleMesh, 2> surfaces{mesh::refined(ring_with_holes()), mesh::refined(bent_tube())};
   for (unsigned seed = 1; seed <= 8; ++seed) {
     support::Random random(seed);
     const mesh::TriangleMesh& mesh = surfaces[seed % 2];
