@@ -5,13 +5,13 @@
 #
 # All public headers lie under include/tetrarch. What one room sees of them is a folder of links in the build tree:
 #
-#     rooms/bundle/tetrarch/core    -> include/tetrarch/core
-#     rooms/bundle/tetrarch/bundle  -> include/tetrarch/bundle
-#     rooms/bundle/tetrarch/mesh/surface.hpp  -> include/tetrarch/mesh/surface.hpp
-#                                tetrarch/format/soup.hpp  -> ...
+#     rooms/product/tetrarch/core     -> include/tetrarch/core
+#     rooms/product/tetrarch/product  -> include/tetrarch/product
+#     rooms/product/tetrarch/doctor/build.hpp  -> include/tetrarch/doctor/build.hpp
+#                                   tetrarch/format/soup.hpp  -> ...
 #
-# Headers of mesh include headers of format, which bundle does not declare. A quoted #include is sought beside the file
-# that says it first, so that a folder "tetrarch" beside the headers of mesh shows them format, and nobody else. It is
+# Headers of doctor include headers of format, which product does not declare. A quoted #include is sought beside the file
+# that says it first, so that a folder "tetrarch" beside the headers of doctor shows them format, and nobody else. It is
 # the compiler alone that sees these folders: no target of a room waits for another, and users have include/.
 set(rooms_folder ${PROJECT_BINARY_DIR}/rooms)
 file(REMOVE_RECURSE ${rooms_folder})

@@ -12,7 +12,7 @@
 namespace tetrarch::bundle {
 namespace {
 
-using mesh::SideEnd;
+using surface::SideEnd;
 
 /// A corner of a prism: the place of its column in the order r0, r1, r2, and 0 below or 1 above.
 struct PrismCorner {

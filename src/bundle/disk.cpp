@@ -32,7 +32,7 @@ Disk::Disk(const Table<Side, Side>& mate) : Disk(Surface(mate)) {}
 
 void Disk::find_boundary() {
   if (triangle_count() == 0) throw InputError("a disk needs a triangle");
-  if (mesh::parts(*this).count != 1)
+  if (surface::parts(*this).count != 1)
     throw InputError("no disk: the triangles are not connected through edges");
   for (int k = 0; k < side_count(); ++k)
     if (is_boundary(Side(k))) boundary_.push_back(Side(k));
@@ -43,7 +43,7 @@ void Disk::find_boundary() {
   if (euler != 1)
     throw InputError("no disk: vertices - edges + triangles = " + std::to_string(euler) + ", not 1");
   for (std::size_t k = 1; k < boundary_.size(); ++k)
-    boundary_[k] = mesh::next_on_boundary(*this, {boundary_[k - 1], false}).side;
+    boundary_[k] = surface::next_on_boundary(*this, {boundary_[k - 1], false}).side;
 }
 
 std::vector<char> Disk::boundary_vertices() const {

@@ -9,8 +9,8 @@
 namespace tetrarch::bundle {
 namespace {
 
-using mesh::MarkedSurface;
-using mesh::Surface;
+using surface::MarkedSurface;
+using surface::Surface;
 
 using GridTriangle = std::array<GridVertex, 3>;
 
@@ -23,7 +23,7 @@ int modulo(int x, int n) {
 Band band_from(const MarkedSurface& cut, const Surface& open, Side first) {
   Band band{cut[first], false, {first}};
   while (true) {
-    const Side next = mesh::next_on_boundary(open, {band.sides.back(), false}).side;
+    const Side next = surface::next_on_boundary(open, {band.sides.back(), false}).side;
     if (next == first) band.closed = true;
     if (next == first || open.mate(next).exists() || cut[next] != band.mark) break;
     band.sides.push_back(next);
@@ -34,13 +34,13 @@ Band band_from(const MarkedSurface& cut, const Surface& open, Side first) {
 } // namespace
 
 std::vector<std::array<Band, 2>> bands(const MarkedSurface& cut) {
-  const Surface open = mesh::cut_open(cut);
+  const Surface open = surface::cut_open(cut);
   std::map<int, std::vector<Side>> curves;
   std::map<int, Side> first; // where the mark begins; on a closed curve the side of least number
   for (int k = 0; k < open.side_count(); ++k)
     if (const Side s(k); cut.is_cut(s)) {
       curves[cut[s]].push_back(s);
-      const Side before = mesh::next_on_boundary(open, {s, true}).side;
+      const Side before = surface::next_on_boundary(open, {s, true}).side;
       if (!first.contains(cut[s]) || cut[before] != cut[s]) first[cut[s]] = s;
     }
   std::vector<std::array<Band, 2>> out;

@@ -3,9 +3,9 @@
 
 #include "tetrarch/bundle/twist.hpp"
 #include "tetrarch/core/error.hpp"
-#include "tetrarch/mesh/canonical_loops.hpp"
-#include "tetrarch/mesh/cuts.hpp"
-#include "tetrarch/mesh/equator.hpp"
+#include "tetrarch/surface/canonical_loops.hpp"
+#include "tetrarch/surface/cuts.hpp"
+#include "tetrarch/surface/equator.hpp"
 
 #include <algorithm>
 #include <array>
@@ -17,7 +17,7 @@
 namespace tetrarch::bundle {
 namespace {
 
-using mesh::MarkedSurface;
+using surface::MarkedSurface;
 using Method = Plan::Method;
 
 /// The power of two that makes the greatest coordinate about 1, if it is so large or small that lengths,
@@ -45,7 +45,7 @@ public:
     exponent_ = exponent_of(plan_.cut.points);
     scale(plan_.cut.points, -exponent_);
     std::fill(plan_.cut.mark.begin(), plan_.cut.mark.end(), 0);
-    type_ = mesh::type_of(plan_.cut.surface);
+    type_ = surface::type_of(plan_.cut.surface);
     if (options_.fiber < 1) throw PreconditionError("a fiber needs at least one edge");
     if (options_.euler && !type_.is_closed())
       throw PreconditionError("a surface with boundary has no Euler number");
@@ -79,15 +79,15 @@ private:
     if (by_text && type_.is_sphere()) {
       plan_.method = Method::equator;
       constexpr int seeds = 8;
-      mesh::mark_equator(plan_.cut, std::max(3, std::abs(total_)), seeds, progress_);
+      surface::mark_equator(plan_.cut, std::max(3, std::abs(total_)), seeds, progress_);
     } else if (by_text && type_.is_closed() && type_.orientable) {
       plan_.method = Method::canonical_loops;
-      const mesh::CanonicalLoops loops = mesh::mark_canonical_loops(plan_.cut, -1, progress_);
+      const surface::CanonicalLoops loops = surface::mark_canonical_loops(plan_.cut, -1, progress_);
       lengthen_loops();
       return loops.base;
     } else {
       plan_.method = Method::cut_graph;
-      mesh::mark_cut_graph(plan_.cut);
+      surface::mark_cut_graph(plan_.cut);
     }
     split_cut_edges(plan_.cut, std::abs(total_));
     return root();
@@ -111,7 +111,7 @@ private:
 
   void lengthen_loops() {
     if (twists_by_text())
-      for (int k = 3; k <= 2 * type_.genus(); ++k) mesh::lengthen(plan_.cut, k, options_.fiber);
+      for (int k = 3; k <= 2 * type_.genus(); ++k) surface::lengthen(plan_.cut, k, options_.fiber);
     else
       split_cut_edges(plan_.cut, std::abs(total_));
   }

@@ -9,7 +9,7 @@
 namespace tetrarch::bundle {
 namespace {
 
-using mesh::SideEnd;
+using surface::SideEnd;
 
 /// What is found wrong, thrown inside this file only.
 struct Failure {

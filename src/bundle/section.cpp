@@ -11,7 +11,7 @@
 namespace tetrarch::bundle {
 namespace {
 
-using mesh::Surface;
+using surface::Surface;
 
 void require_finite(const std::vector<double>& numbers, int count) {
   const auto finite = [](double x) { return std::isfinite(x); };

@@ -10,20 +10,20 @@
 
 namespace tetrarch::bundle {
 
-using mesh::MarkedSurface;
-using mesh::SideEnd;
-using mesh::Surface;
+using surface::MarkedSurface;
+using surface::SideEnd;
+using surface::Surface;
 
 void orient_parts(MarkedSurface& cut) {
-  const std::vector<int> sign = mesh::orientation(mesh::cut_open(cut));
+  const std::vector<int> sign = surface::orientation(surface::cut_open(cut));
   if (sign.empty() && cut.surface.triangle_count() > 0)
     throw PreconditionError("a part of the cut surface is not orientable");
-  mesh::turn_triangles(cut, sign);
+  surface::turn_triangles(cut, sign);
 }
 
 int give_inner_vertices(MarkedSurface& cut) {
-  const Surface open = mesh::cut_open(cut);
-  const mesh::Parts parts = mesh::parts(open);
+  const Surface open = surface::cut_open(cut);
+  const surface::Parts parts = surface::parts(open);
   std::vector<char> inside(static_cast<std::size_t>(open.vertex_count()), 1);
   for (int k = 0; k < open.side_count(); ++k)
     if (const Side s(k); open.is_boundary(s)) inside[open.from(s)] = inside[open.to(s)] = 0;
@@ -38,7 +38,7 @@ int give_inner_vertices(MarkedSurface& cut) {
   int splits = 0;
   for (int part = 0; part < parts.count; ++part) {
     if (good[part]) continue;
-    mesh::split_face(cut, first[part]);
+    surface::split_face(cut, first[part]);
     ++splits;
   }
   return splits;
@@ -74,7 +74,8 @@ void split_cut_edges(MarkedSurface& cut, int edges) {
     int missing = edges - static_cast<int>(sides.size());
     if (missing <= 0) return;
     if (sides.empty()) throw PreconditionError("nothing is cut");
-    for (auto s = sides.rbegin(); s != sides.rend() && missing > 0; ++s, --missing) mesh::split_edge(cut, *s);
+    for (auto s = sides.rbegin(); s != sides.rend() && missing > 0; ++s, --missing)
+      surface::split_edge(cut, *s);
   }
 }
 
@@ -157,7 +158,7 @@ private:
   void drain(const Arrival& arrival) {
     int rest = 0;
     int weight = 0;
-    const auto around = mesh::fan(surface_, arrival.edge);
+    const auto around = surface::fan(surface_, arrival.edge);
     // Entering by around[k], one leaves by the other side there.
     for (const SideEnd& e : around) {
       const SideEnd out = e.pivot();
@@ -198,7 +199,7 @@ std::vector<Shift> shifts_of(const MarkedSurface& cut, const std::vector<int>& t
 
 std::vector<Side> boundary_sides(const Surface& surface) {
   std::vector<Side> sides;
-  for (const auto& curve : mesh::boundary_curves(surface))
+  for (const auto& curve : surface::boundary_curves(surface))
     for (const SideEnd& e : curve) sides.push_back(e.side);
   return sides;
 }
@@ -207,15 +208,15 @@ namespace {
 
 /// One covering disk, and where its triangles are on the surface.
 struct CoveringDisk {
-  mesh::Part part;
+  surface::Part part;
   Disk disk;
   Side below(Side s) const { return part.in_whole(s); }
 };
 
 std::vector<CoveringDisk> covering_disks(const MarkedSurface& cut) {
-  const Surface open = mesh::cut_open(cut);
+  const Surface open = surface::cut_open(cut);
   std::vector<CoveringDisk> disks;
-  for (mesh::Part& part : mesh::split(open, mesh::parts(open))) {
+  for (surface::Part& part : surface::split(open, surface::parts(open))) {
     Disk disk(std::move(part.surface));
     disks.push_back({std::move(part), std::move(disk)});
   }

@@ -12,10 +12,10 @@
 namespace tetrarch::bundle {
 namespace {
 
-using mesh::Side;
-using mesh::SideEnd;
-using mesh::Surface;
 using std::numbers::pi;
+using surface::Side;
+using surface::SideEnd;
+using surface::Surface;
 using Points = std::vector<std::array<double, 3>>;
 
 void require_points(const Surface& surface, const Points& points) {
@@ -56,7 +56,7 @@ struct Fan {
 };
 
 Fan fan_of(const Surface& surface, const Points& points, SideEnd first) {
-  Fan fan{mesh::fan(surface, first), {0}};
+  Fan fan{surface::fan(surface, first), {0}};
   for (const SideEnd& e : fan.ends)
     fan.angle.push_back(fan.angle.back() + corner_angle(surface, points, e.side.triangle(), e.corner()));
   const double total = fan.angle.back();
@@ -121,7 +121,7 @@ std::vector<int> field_indices(const Surface& surface, const Points& points,
   std::vector<int> index(static_cast<std::size_t>(surface.triangle_count()));
   for (int t = 0; t < surface.triangle_count(); ++t) {
     double sum = -pi;
-    for (const Side s : mesh::sides_of(t)) {
+    for (const Side s : surface::sides_of(t)) {
       // Seen from its mate the edge must turn by the same, even by half a turn.
       const Side m = surface.mate(s);
       const bool told_by_mate = m.exists() && m.value < s.value;

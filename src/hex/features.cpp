@@ -16,7 +16,7 @@ namespace tetrarch::hex {
 namespace {
 
 using namespace numeric;
-using mesh::Side;
+using surface::Side;
 
 constexpr double degree = std::numbers::pi / 180;
 
@@ -31,7 +31,7 @@ public:
   Patches(const product::Solid& solid, const FeatureOptions& options)
       : solid_(solid), of_(static_cast<std::size_t>(solid.boundary.triangle_count()), -1) {
     const double cosine = std::cos(options.sharp * degree);
-    const mesh::Surface& surface = solid.boundary;
+    const surface::Surface& surface = solid.boundary;
     std::vector<Vector> normal;
     for (int t = 0; t < surface.triangle_count(); ++t) {
       const Vector a = area_vector(solid, t);
@@ -92,7 +92,7 @@ private:
   }
 
   int longest_neighbor(int patch) const {
-    const mesh::Surface& surface = solid_.boundary;
+    const surface::Surface& surface = solid_.boundary;
     std::map<int, double> length;
     for (int t = 0; t < surface.triangle_count(); ++t)
       for (int c = 0; c < 3 && of_[t] == patch; ++c) {
@@ -117,7 +117,7 @@ using Sharp = std::map<int, std::vector<int>>;
 
 Sharp sharp_edges(const product::Solid& solid, const Patches& patches) {
   Sharp sharp;
-  const mesh::Surface& surface = solid.boundary;
+  const surface::Surface& surface = solid.boundary;
   for (int t = 0; t < surface.triangle_count(); ++t)
     for (int c = 0; c < 3; ++c)
       if (const Side s(t, c); patches.separates(s))

@@ -37,6 +37,20 @@ FlatTriangle laid_flat(const std::vector<Point>& points, const std::array<int, 3
   return result;
 }
 
+double cotangent(const Point& apex, const Point& from, const Point& to) {
+  Vector a = from - apex;
+  Vector b = to - apex;
+  // Products of three tiny edges underflow, of huge ones overflow; powers of two change no digit.
+  double size = 0;
+  for (std::size_t k = 0; k < 3; ++k) size = std::max({size, std::abs(a[k]), std::abs(b[k])});
+  constexpr double least = 1e-60;
+  constexpr double most = 1e60;
+  if (!(least < size && size < most) && size > 0 && std::isfinite(size))
+    for (auto* const e : {&a, &b})
+      for (std::size_t k = 0; k < 3; ++k) (*e)[k] = std::ldexp((*e)[k], -std::ilogb(size));
+  return dot(a, b) / length(cross(a, b));
+}
+
 double twice_area(const FlatTriangle& p) {
   return cross(p[1] - p[0], p[2] - p[0]);
 }

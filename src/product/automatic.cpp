@@ -24,7 +24,7 @@
 namespace tetrarch::product {
 namespace {
 
-using mesh::Side;
+using surface::Side;
 using namespace numeric;
 
 /// More sides than this are not tried in pairs.
@@ -77,11 +77,11 @@ std::string in_words(const Vector& axis) {
 // Ridges.
 //
 
-mesh::Surface torn_along_ridges(const Search& search) {
-  mesh::Surface surface = search.solid.boundary;
+surface::Surface torn_along_ridges(const Search& search) {
+  surface::Surface surface = search.solid.boundary;
   const double sharp = std::cos(search.options.ridge_degrees * std::numbers::pi / 180);
   for (int t = 0; t < surface.triangle_count(); ++t)
-    for (const Side s : mesh::sides_of(t)) {
+    for (const Side s : surface::sides_of(t)) {
       if (surface.is_boundary(s)) continue;
       const Point& a = search.areas[t];
       const Point& b = search.areas[surface.mate(s).triangle()];
@@ -92,15 +92,15 @@ mesh::Surface torn_along_ridges(const Search& search) {
 
 /// The sides whose type is that of a base, the largest first, as lists of triangles.
 std::vector<std::vector<int>> sides(const Search& search) {
-  const mesh::Surface torn = torn_along_ridges(search);
+  const surface::Surface torn = torn_along_ridges(search);
   const int n = genus(search.solid);
   struct Found {
     double area;
     std::vector<int> triangles;
   };
   std::vector<Found> found;
-  for (mesh::Part& piece : mesh::split(torn, mesh::parts(torn))) {
-    if (mesh::type_of(piece.surface) != SurfaceType{1 - n, n + 1}) continue;
+  for (surface::Part& piece : surface::split(torn, surface::parts(torn))) {
+    if (surface::type_of(piece.surface) != SurfaceType{1 - n, n + 1}) continue;
     double area = 0;
     for (const int t : piece.triangles) area += norm(search.areas[t]);
     found.push_back({area, std::move(piece.triangles)});
@@ -183,7 +183,7 @@ std::vector<Vector> axes(const Search& search) {
 
 /// At each vertex of the boundary the unit normal, after so many rounds of averaging with those around.
 std::vector<Vector> smoothed_normals(const Search& search, int rounds) {
-  const mesh::Surface& surface = search.solid.boundary;
+  const surface::Surface& surface = search.solid.boundary;
   std::vector<Vector> normal(static_cast<std::size_t>(surface.vertex_count()));
   for (int t = 0; t < surface.triangle_count(); ++t)
     for (const int v : surface.corners(t)) normal[v] = normal[v] + search.areas[t];
@@ -293,7 +293,7 @@ std::optional<Automatic> by_axes(const Search& search, const Progress& progress)
 /// What a tunnel's function makes of the solid, if that is a partition.
 std::optional<Automatic> between_levels(const Search& search, Tunnel found) {
   Levelled at{search.solid, std::move(found.values), {}};
-  std::vector<mesh::EdgePoint> splits;
+  std::vector<solid::EdgePoint> splits;
   for (const double level : found.levels) {
     if (!search.options.smooth_rims) break;
     at = split_at_level(at.solid, std::move(at.values), level);

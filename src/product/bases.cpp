@@ -18,7 +18,7 @@ namespace {
 
 using namespace numeric;
 
-using mesh::Side;
+using surface::Side;
 
 std::string name(const char* what, const std::array<int, 3>& v) {
   return std::string(what) + " " + std::to_string(v[0]) + " " + std::to_string(v[1]) + " " +
@@ -69,8 +69,8 @@ double flatness(const std::vector<Point>& areas, const std::vector<int>& triangl
 }
 
 /// Of four annuli in a ring those two opposite ones that are flatter.
-std::array<int, 2> flatter_annuli(const Solid& solid, const mesh::Parts& parts,
-                                  const std::vector<mesh::Part>& pieces) {
+std::array<int, 2> flatter_annuli(const Solid& solid, const surface::Parts& parts,
+                                  const std::vector<surface::Part>& pieces) {
   std::vector<char> beside_first(pieces.size(), 0);
   for (int k = 0; k < solid.boundary.side_count(); ++k)
     if (parts.of[Side(k).triangle()] == 0)
@@ -90,7 +90,7 @@ std::array<int, 2> flatter_annuli(const Solid& solid, const mesh::Parts& parts,
 }
 
 /// Bases by what two pieces are.
-std::vector<int> bases_of(const mesh::Parts& parts, std::array<int, 2> pieces) {
+std::vector<int> bases_of(const surface::Parts& parts, std::array<int, 2> pieces) {
   std::vector<int> base;
   base.reserve(parts.of.size());
   for (const int part : parts.of) base.push_back(part == pieces[0] ? 0 : part == pieces[1] ? 1 : -1);
@@ -134,7 +134,7 @@ void flood(const Solid& solid, const std::vector<Point>& areas, int number, cons
                      " faces its way within the threshold; it may lie on a ridge");
   for (std::size_t k = 0; k < reached.size(); ++k) {
     const int t = reached[k];
-    for (const Side s : mesh::sides_of(t)) reach(solid.boundary.mate(s).triangle());
+    for (const Side s : surface::sides_of(t)) reach(solid.boundary.mate(s).triangle());
   }
 }
 
@@ -180,15 +180,15 @@ std::vector<int> bases_with_labels(const Solid& solid, const std::vector<std::ar
 }
 
 std::vector<int> bases_between_cycles(const Solid& solid, const std::vector<std::vector<int>>& cycles) {
-  mesh::Surface torn = solid.boundary;
+  surface::Surface torn = solid.boundary;
   for (const Side s : sides_along(solid, cycles))
     if (!torn.is_boundary(s)) torn.unglue(s);
-  const mesh::Parts parts = mesh::parts(torn);
-  const std::vector<mesh::Part> pieces = mesh::split(torn, parts);
+  const surface::Parts parts = surface::parts(torn);
+  const std::vector<surface::Part> pieces = surface::split(torn, parts);
   std::vector<int> others;
   std::string types;
   for (int k = 0; k < parts.count; ++k) {
-    const SurfaceType type = mesh::type_of(pieces[k].surface);
+    const SurfaceType type = surface::type_of(pieces[k].surface);
     types += (k > 0 ? ", " : "") + type.str();
     if (type.euler != 0 || type.boundary_curves != 2) others.push_back(k);
   }
@@ -209,7 +209,7 @@ std::vector<int> bases_by_flooding(const Solid& solid, const Flooding& flooding)
 std::vector<int> bases_beyond_tunnels(const Solid& solid, const std::vector<std::vector<int>>& tunnels,
                                       double extend) {
   const std::vector<double> distance = edge_distances(solid, sides_along(solid, tunnels));
-  mesh::Surface torn = solid.boundary;
+  surface::Surface torn = solid.boundary;
   std::vector<char> is_wall;
   for (const auto& corners : solid.boundary.triangles())
     is_wall.push_back(
@@ -219,7 +219,7 @@ std::vector<int> bases_beyond_tunnels(const Solid& solid, const std::vector<std:
     if (is_wall[s.triangle()] != is_wall[solid.boundary.mate(s).triangle()] && !torn.is_boundary(s))
       torn.unglue(s);
   }
-  const mesh::Parts parts = mesh::parts(torn);
+  const surface::Parts parts = surface::parts(torn);
   std::vector<int> size(static_cast<std::size_t>(parts.count), 0);
   for (std::size_t t = 0; t < is_wall.size(); ++t) size[parts.of[t]] += is_wall[t] ? 0 : 1;
   std::array<int, 2> largest{-1, -1};

@@ -19,10 +19,10 @@ struct Road {
 };
 using Roads = std::vector<std::vector<Road>>;
 
-Roads roads(const mesh::TriangleMesh& mesh) {
+Roads roads(const surface::TriangleMesh& mesh) {
   Roads result(static_cast<std::size_t>(mesh.surface.vertex_count()));
   for (int k = 0; k < mesh.surface.side_count(); ++k) {
-    const mesh::Side s(k);
+    const surface::Side s(k);
     const int a = mesh.surface.from(s);
     const int b = mesh.surface.to(s);
     const double length = numeric::distance(mesh.points[a], mesh.points[b]);
@@ -123,7 +123,7 @@ private:
 
 } // namespace
 
-std::optional<OppositeTrees> opposite_trees(const mesh::TriangleMesh& surface,
+std::optional<OppositeTrees> opposite_trees(const surface::TriangleMesh& surface,
                                             const std::vector<std::array<std::vector<int>, 2>>& banks,
                                             int branches) {
   const Roads all = roads(surface);
@@ -139,7 +139,7 @@ std::optional<OppositeTrees> opposite_trees(const mesh::TriangleMesh& surface,
   return growth.take();
 }
 
-std::vector<double> distances(const mesh::TriangleMesh& mesh, const std::vector<int>& from) {
+std::vector<double> distances(const surface::TriangleMesh& mesh, const std::vector<int>& from) {
   return distances(roads(mesh), from);
 }
 

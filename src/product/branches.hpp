@@ -18,7 +18,7 @@
 ///
 /// Lengths are those of ways along edges.
 
-#include "tetrarch/mesh/triangle_mesh.hpp"
+#include "tetrarch/surface/triangle_mesh.hpp"
 
 #include <algorithm>
 #include <array>
@@ -42,11 +42,11 @@ struct OppositeTrees {
 /// that bank goes to the first tree which makes ways short. Then `branches` are added in all, fewer where no
 /// vertex can be reached. Nothing if the banks cannot be joined without touching each other. O((loops +
 /// branches) n log n).
-std::optional<OppositeTrees> opposite_trees(const mesh::TriangleMesh& surface,
+std::optional<OppositeTrees> opposite_trees(const surface::TriangleMesh& surface,
                                             const std::vector<std::array<std::vector<int>, 2>>& banks,
                                             int branches);
 
 /// The distance of each vertex from the nearest of these. O(n log n).
-std::vector<double> distances(const mesh::TriangleMesh& mesh, const std::vector<int>& from);
+std::vector<double> distances(const surface::TriangleMesh& mesh, const std::vector<int>& from);
 
 } // namespace tetrarch::product

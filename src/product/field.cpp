@@ -2,8 +2,8 @@
 #include "tetrarch/product/field.hpp"
 
 #include "tetrarch/core/error.hpp"
-#include "tetrarch/mesh/edge_weights.hpp"
 #include "tetrarch/numeric/sparse_cholesky.hpp"
+#include "tetrarch/solid/edge_weights.hpp"
 
 #include <Eigen/IterativeLinearSolvers>
 #include <Eigen/SparseCore>
@@ -14,8 +14,8 @@
 namespace tetrarch::product {
 namespace {
 
-using mesh::WeightedEdge;
 using numeric::SymmetricMatrix;
+using solid::WeightedEdge;
 
 /// From here on conjugate gradients are quicker, and take less memory.
 constexpr int large = 20'000;
@@ -116,7 +116,7 @@ HarmonicField harmonic_field(const Solid& solid, const Partition& partition, con
   progress.step("harmonic field");
   HarmonicField field;
   const std::vector<int> base = bases_of_vertices(solid, partition);
-  std::vector<WeightedEdge> edges = mesh::edge_weights(solid.mesh);
+  std::vector<WeightedEdge> edges = solid::edge_weights(solid.mesh);
   for (WeightedEdge& e : edges) {
     if (!(e.weight < 0)) continue;
     ++field.negative_weights;
@@ -137,7 +137,7 @@ HarmonicField harmonic_field(const Solid& solid, const Partition& partition, con
   for (std::size_t v = 0; v < base.size(); ++v)
     if (system.unknown[v] >= 0) field.w[v] = x[system.unknown[v]];
 
-  const std::vector<double> flux = mesh::fluxes(edges, field.w);
+  const std::vector<double> flux = solid::fluxes(edges, field.w);
   for (std::size_t v = 0; v < base.size(); ++v) {
     if (base[v] == ceiling_patch) field.flow += flux[v];
     if (base[v] < 0) field.residual = std::max(field.residual, std::abs(flux[v]));

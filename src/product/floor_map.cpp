@@ -5,11 +5,11 @@
 #include "rectangle_corners.hpp"
 
 #include "tetrarch/core/error.hpp"
-#include "tetrarch/mesh/boundary_loops.hpp"
 #include "tetrarch/slit/circular_map.hpp"
 #include "tetrarch/slit/quality.hpp"
 #include "tetrarch/slit/ricci.hpp"
 #include "tetrarch/slit/unflip.hpp"
+#include "tetrarch/surface/boundary_loops.hpp"
 
 #include <algorithm>
 #include <optional>
@@ -22,16 +22,16 @@ namespace {
 using namespace numeric;
 
 using Complex = std::complex<double>;
-using mesh::BoundaryLoop;
+using surface::BoundaryLoop;
 
 /// The floor's triangles as a mesh of their own.
 FloorMap floor_of(const Solid& solid, const Partition& partition) {
   FloorMap floor;
   std::vector<int> number(solid.mesh.points.size(), -1);
-  std::vector<mesh::Surface::Triangle> triangles;
+  std::vector<surface::Surface::Triangle> triangles;
   for (int t = 0; t < solid.boundary.triangle_count(); ++t) {
     if (partition.patch[t] != floor_patch) continue;
-    mesh::Surface::Triangle& triangle = triangles.emplace_back();
+    surface::Surface::Triangle& triangle = triangles.emplace_back();
     for (int c = 0; c < 3; ++c) {
       const int v = solid.corner(t, c);
       if (number[v] < 0) {
@@ -44,7 +44,7 @@ FloorMap floor_of(const Solid& solid, const Partition& partition) {
     std::swap(triangle[1], triangle[2]); // seen from inside
     floor.triangle.push_back(t);
   }
-  floor.mesh.surface = mesh::Surface(static_cast<int>(floor.vertex.size()), std::move(triangles));
+  floor.mesh.surface = surface::Surface(static_cast<int>(floor.vertex.size()), std::move(triangles));
   return floor;
 }
 
@@ -69,7 +69,7 @@ std::vector<int> loops_of_walls(const std::vector<int>& wall_of_loop) {
   return loop;
 }
 
-double area_of(const mesh::TriangleMesh& mesh, const mesh::Surface::Triangle& corners) {
+double area_of(const surface::TriangleMesh& mesh, const surface::Surface::Triangle& corners) {
   const auto& p = mesh.points[corners[0]];
   return norm(cross(mesh.points[corners[1]] - p, mesh.points[corners[2]] - p)) / 2;
 }
@@ -93,7 +93,7 @@ void balance(FloorMap& floor) {
 }
 
 /// The second route, which is slower where many holes crowd the disk.
-void try_slit_map(const mesh::TriangleMesh& mesh, const std::vector<int>& loop_of_wall,
+void try_slit_map(const surface::TriangleMesh& mesh, const std::vector<int>& loop_of_wall,
                   slit::CircularMap& map, const Progress& progress) {
   try {
     const slit::OneForms forms(mesh, progress.silent(), slit::Edges::intrinsic_delaunay);
@@ -124,10 +124,10 @@ void map_to_circles(FloorMap& floor, const std::vector<BoundaryLoop>& loops,
 }
 
 /// A loop by its vertices, in the order of walking, the floor to the left.
-std::vector<int> vertices_of(const mesh::Surface& surface, const BoundaryLoop& loop) {
+std::vector<int> vertices_of(const surface::Surface& surface, const BoundaryLoop& loop) {
   std::vector<int> vertices;
   vertices.reserve(loop.sides.size());
-  for (const mesh::SideEnd e : loop.sides) vertices.push_back(surface.vertex(e));
+  for (const surface::SideEnd e : loop.sides) vertices.push_back(surface.vertex(e));
   return vertices;
 }
 
@@ -188,7 +188,7 @@ FloorMap floor_map(const Solid& solid, const Partition& partition, const FloorOp
                    const Progress& progress) {
   progress.step("floor");
   FloorMap floor = floor_of(solid, partition);
-  const std::vector<BoundaryLoop> loops = mesh::boundary_loops(floor.mesh);
+  const std::vector<BoundaryLoop> loops = surface::boundary_loops(floor.mesh);
   const std::vector<int> loop_of_wall = loops_of_walls(walls_of_loops(solid, partition, floor, loops));
   if (options.domain == FloorDomain::rectangle)
     map_to_rectangles(floor, loops, loop_of_wall, options.corners, progress);

@@ -2,8 +2,8 @@
 #include "tetrarch/product/grid.hpp"
 
 #include "tetrarch/core/error.hpp"
-#include "tetrarch/mesh/boundary_loops.hpp"
 #include "tetrarch/numeric/flat_locator.hpp"
+#include "tetrarch/surface/boundary_loops.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -253,20 +253,20 @@ FloorPoint on_solid(const Solid& solid, const FloorMap& floor, int triangle,
 }
 
 /// The loops of the floor in the order of those of the grid: the outer one, then those of the holes.
-std::vector<mesh::BoundaryLoop> loops_of(const FloorMap& floor) {
-  const std::vector<mesh::BoundaryLoop> loops = mesh::boundary_loops(floor.mesh);
+std::vector<surface::BoundaryLoop> loops_of(const FloorMap& floor) {
+  const std::vector<surface::BoundaryLoop> loops = surface::boundary_loops(floor.mesh);
   if (loops.size() != floor.rectangles.size() + 1)
     throw PreconditionError("the floor is not laid out as a rectangle with holes");
   std::vector<Rectangle> wanted{{0.0, {1.0, floor.height}}};
   wanted.insert(wanted.end(), floor.rectangles.begin(), floor.rectangles.end());
-  std::vector<mesh::BoundaryLoop> result;
+  std::vector<surface::BoundaryLoop> result;
   for (const Rectangle& box : wanted) {
-    const auto off = [&](const mesh::BoundaryLoop& loop) {
+    const auto off = [&](const surface::BoundaryLoop& loop) {
       double left = 1;
       double right = 0;
       double below = floor.height;
       double above = 0;
-      for (const mesh::SideEnd e : loop.sides) {
+      for (const surface::SideEnd e : loop.sides) {
         const Complex p = floor.position[floor.mesh.surface.vertex(e)];
         left = std::min(left, p.real());
         right = std::max(right, p.real());
@@ -281,12 +281,13 @@ std::vector<mesh::BoundaryLoop> loops_of(const FloorMap& floor) {
   return result;
 }
 
-FloorPoint nearest_on(const mesh::BoundaryLoop& loop, const Solid& solid, const FloorMap& floor, Complex z) {
-  const mesh::Surface& surface = floor.mesh.surface;
+FloorPoint nearest_on(const surface::BoundaryLoop& loop, const Solid& solid, const FloorMap& floor,
+                      Complex z) {
+  const surface::Surface& surface = floor.mesh.surface;
   double least = std::numeric_limits<double>::infinity();
-  mesh::Side best;
+  surface::Side best;
   double best_part = 0;
-  for (const mesh::SideEnd e : loop.sides) {
+  for (const surface::SideEnd e : loop.sides) {
     const Complex from = floor.position[surface.from(e.side)];
     const Complex to = floor.position[surface.to(e.side)];
     const double part = numeric::nearest_part(from, to, z);
@@ -318,7 +319,7 @@ FloorGrid floor_grid(double height, const std::vector<Rectangle>& holes, const G
 }
 
 std::vector<FloorPoint> nodes_on_floor(const Solid& solid, const FloorMap& floor, const FloorGrid& grid) {
-  const std::vector<mesh::BoundaryLoop> loops = loops_of(floor);
+  const std::vector<surface::BoundaryLoop> loops = loops_of(floor);
   std::vector<numeric::FlatTriangle> triangles;
   triangles.reserve(floor.triangle.size());
   for (const auto& [a, b, c] : floor.mesh.surface.triangles())

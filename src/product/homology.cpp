@@ -139,14 +139,14 @@ FirstHomology::FirstHomology(const Solid& solid) {
       return static_cast<int>(std::find(corners.begin(), corners.end(), solid.corner(t, corner)) -
                               corners.begin());
     };
-    for (const mesh::Side s : mesh::sides_of(t))
+    for (const surface::Side s : surface::sides_of(t))
       on_side_.push_back(labelling.along({face.tet, local(s.next().corner()), local(s.previous().corner())}));
   }
 }
 
-Element FirstHomology::of(const std::vector<mesh::SideEnd>& loop) const {
+Element FirstHomology::of(const std::vector<surface::SideEnd>& loop) const {
   Element whole;
-  for (const mesh::SideEnd e : loop) whole = sum(whole, on_side_[e.side.value], e.at_start ? 1 : -1);
+  for (const surface::SideEnd e : loop) whole = sum(whole, on_side_[e.side.value], e.at_start ? 1 : -1);
   return whole;
 }
 

@@ -35,7 +35,7 @@ public:
   explicit FirstHomology(const Solid& solid);
 
   /// Of a closed walk along sides of the boundary.
-  Element of(const std::vector<mesh::SideEnd>& loop) const;
+  Element of(const std::vector<surface::SideEnd>& loop) const;
   /// Whether these generate the whole group. Polynomial in the number of generators, which is small.
   bool generated_by(const std::vector<Element>& elements) const;
   /// Whether these are part of a basis: others can be added so that every element is a sum of them in one

@@ -9,7 +9,7 @@
 namespace tetrarch::product {
 namespace {
 
-using mesh::Side;
+using surface::Side;
 
 /// A crossing nearer than this part of the edge to one of its ends is at that end.
 constexpr double snap = 0.2;
@@ -38,9 +38,9 @@ void snap_to(const Solid& solid, CornerValues& values, double level) {
 
 Levelled split_at_level(const Solid& solid, CornerValues values, double level) {
   snap_to(solid, values, level);
-  std::vector<mesh::EdgePoint> splits;
+  std::vector<solid::EdgePoint> splits;
   for (int t = 0; t < solid.boundary.triangle_count(); ++t)
-    for (const Side s : mesh::sides_of(t)) {
+    for (const Side s : surface::sides_of(t)) {
       const int from = solid.corner(t, s.next().corner());
       const int to = solid.corner(t, s.previous().corner());
       const double a = values[t][s.next().corner()];
@@ -48,8 +48,8 @@ Levelled split_at_level(const Solid& solid, CornerValues values, double level) {
       if (from < to && crosses(a, b, level)) splits.push_back({from, to, (level - a) / (b - a)});
     }
   const int old_points = static_cast<int>(solid.mesh.points.size());
-  mesh::SplitTets split = mesh::split_edges(solid.mesh, splits);
-  Levelled result{product::solid(std::move(split.mesh)), {}, std::move(splits)};
+  solid::SplitTets split = solid::split_edges(solid.mesh, splits);
+  Levelled result{product::solid_of(std::move(split.mesh)), {}, std::move(splits)};
   result.values.reserve(result.solid.face.size());
   for (int t = 0; t < result.solid.boundary.triangle_count(); ++t) {
     const TetFace face = result.solid.face[t];

@@ -7,8 +7,8 @@
 ///      --/------      almost on the level count as on it, which spares slivers.
 ///       / -  -
 
-#include "tetrarch/mesh/split_edges.hpp"
 #include "tetrarch/product/solid.hpp"
+#include "tetrarch/solid/split_edges.hpp"
 
 #include <array>
 #include <vector>
@@ -21,8 +21,8 @@ using CornerValues = std::vector<std::array<double, 3>>;
 
 struct Levelled {
   Solid solid;
-  CornerValues values;                 ///< no triangle has the level between its values
-  std::vector<mesh::EdgePoint> splits; ///< split k made vertex n + k of a solid with n
+  CornerValues values;                  ///< no triangle has the level between its values
+  std::vector<solid::EdgePoint> splits; ///< split k made vertex n + k of a solid with n
 };
 /// The values must agree along edges that cross the level. A vertex counts as on the level if it does for
 /// some triangle. O(n log n).

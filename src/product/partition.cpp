@@ -15,16 +15,16 @@
 namespace tetrarch::product {
 namespace {
 
-using mesh::Side;
-using mesh::SideEnd;
+using surface::Side;
+using surface::SideEnd;
 
 constexpr std::array<const char*, 2> base_name{"floor", "ceiling"};
 
 /// The boundary torn along the rims: connected pieces, each of one base or between them.
 struct Pieces {
-  mesh::Surface torn;
-  mesh::Parts parts;
-  std::vector<mesh::Part> piece;
+  surface::Surface torn;
+  surface::Parts parts;
+  std::vector<surface::Part> piece;
   std::vector<int> base; ///< of each piece
 
   int first_triangle(int k) const { return piece[k].triangles.front(); }
@@ -48,11 +48,11 @@ void require_proper(const Solid& solid, const std::vector<int>& base, int outer)
 Pieces pieces_of(const Solid& solid, const std::vector<int>& base) {
   Pieces pieces{solid.boundary, {}, {}, {}};
   for (int t = 0; t < solid.boundary.triangle_count(); ++t)
-    for (const Side s : mesh::sides_of(t))
+    for (const Side s : surface::sides_of(t))
       if (base[t] != base[solid.boundary.mate(s).triangle()] && !pieces.torn.is_boundary(s))
         pieces.torn.unglue(s);
-  pieces.parts = mesh::parts(pieces.torn);
-  pieces.piece = mesh::split(pieces.torn, pieces.parts);
+  pieces.parts = surface::parts(pieces.torn);
+  pieces.piece = surface::split(pieces.torn, pieces.parts);
   for (int k = 0; k < pieces.parts.count; ++k) pieces.base.push_back(base[pieces.first_triangle(k)]);
   return pieces;
 }
@@ -79,7 +79,7 @@ Fault why_not_connected_bases(const Solid& solid, const Pieces& pieces) {
 /// The pieces that one meets around a vertex; a piece that is met twice is there twice.
 std::vector<int> pieces_around(const Solid& solid, const Pieces& pieces, SideEnd at) {
   std::vector<int> around;
-  for (const SideEnd e : mesh::fan(solid.boundary, at)) {
+  for (const SideEnd e : surface::fan(solid.boundary, at)) {
     const int k = pieces.parts.of[e.side.triangle()];
     if (around.empty() || around.back() != k) around.push_back(k);
   }
@@ -91,7 +91,7 @@ std::vector<int> pieces_around(const Solid& solid, const Pieces& pieces, SideEnd
 Fault why_not_clean_vertices(const Solid& solid, const Pieces& pieces) {
   std::vector<char> seen(static_cast<std::size_t>(solid.boundary.vertex_count()), 0);
   for (int t = 0; t < solid.boundary.triangle_count(); ++t)
-    for (const Side s : mesh::sides_of(t)) {
+    for (const Side s : surface::sides_of(t)) {
       const SideEnd at{s, true};
       if (std::exchange(seen[solid.boundary.vertex(at)], 1)) continue;
       std::vector<int> around = pieces_around(solid, pieces, at);
@@ -109,9 +109,9 @@ Fault why_not_clean_vertices(const Solid& solid, const Pieces& pieces) {
   return {};
 }
 
-Fault why_not_type(const Solid& solid, const Pieces& pieces, int k, const mesh::Surface& surface,
+Fault why_not_type(const Solid& solid, const Pieces& pieces, int k, const surface::Surface& surface,
                    const SurfaceType& expected, const std::string& reason) {
-  const SurfaceType type = mesh::type_of(surface);
+  const SurfaceType type = surface::type_of(surface);
   if (type == expected) return {};
   const std::string name = pieces.base[k] < 0 ? "the wall" : std::string("the ") + base_name[pieces.base[k]];
   return name + " with " + triangle_name(solid, pieces.first_triangle(k)) + " is a " + type.str() +
@@ -137,7 +137,7 @@ Fault why_not_homology(const Solid& solid, const Pieces& pieces, const FirstHomo
   for (int k = 0; k < pieces.parts.count; ++k) {
     if (pieces.base[k] != floor_patch) continue;
     at = pieces.first_triangle(k);
-    for (auto& rim : mesh::boundary_curves(pieces.piece[k].surface)) {
+    for (auto& rim : surface::boundary_curves(pieces.piece[k].surface)) {
       for (SideEnd& e : rim) e.side = pieces.piece[k].in_whole(e.side);
       loops.push_back(homology.of(rim));
     }
@@ -154,7 +154,7 @@ struct Wall {
   double length = 0; ///< of its rim on the floor
 };
 
-double length(const Solid& solid, const mesh::Part& part, const std::vector<SideEnd>& rim) {
+double length(const Solid& solid, const surface::Part& part, const std::vector<SideEnd>& rim) {
   std::vector<double> lengths;
   for (const SideEnd e : rim) {
     const Side s = part.in_whole(e.side);
@@ -168,12 +168,12 @@ double length(const Solid& solid, const mesh::Part& part, const std::vector<Side
 
 /// Piece k, which is on no base.
 Fault why_not_wall(const Solid& solid, const Pieces& pieces, int k, Wall& result) {
-  const mesh::Part& part = pieces.piece[k];
+  const surface::Part& part = pieces.piece[k];
   if (Fault fault = why_not_type(solid, pieces, k, part.surface, {0, 2}, ", a cylinder"); !fault.empty())
     return fault;
   result = {k, 0};
   std::array<int, 2> rims{};
-  for (const auto& rim : mesh::boundary_curves(part.surface)) {
+  for (const auto& rim : surface::boundary_curves(part.surface)) {
     const Side beyond = solid.boundary.mate(part.in_whole(rim.front().side));
     const int b = pieces.base[pieces.parts.of[beyond.triangle()]];
     ++rims[b];

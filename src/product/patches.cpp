@@ -14,8 +14,8 @@ namespace {
 
 using namespace numeric;
 
-using mesh::Side;
-using mesh::SideEnd;
+using surface::Side;
+using surface::SideEnd;
 
 constexpr int most_rounds = 20;
 
@@ -28,7 +28,7 @@ std::vector<int> pieces(const Solid& solid, const std::vector<int>& base) {
   std::vector<int> piece(base.size());
   std::iota(piece.begin(), piece.end(), 0);
   for (int t = 0; t < solid.boundary.triangle_count(); ++t)
-    for (const Side s : mesh::sides_of(t))
+    for (const Side s : surface::sides_of(t))
       if (solid.boundary.mate(s).value < s.value && !is_rim(solid, base, s))
         piece[numeric::find_root(piece, t)] = numeric::find_root(piece, solid.boundary.mate(s).triangle());
   for (int t = 0; t < solid.boundary.triangle_count(); ++t) piece[t] = numeric::find_root(piece, t);
@@ -39,7 +39,7 @@ std::vector<int> pieces(const Solid& solid, const std::vector<int>& base) {
 std::vector<char> on_rims(const Solid& solid, const std::vector<int>& base) {
   std::vector<char> on(static_cast<std::size_t>(solid.boundary.vertex_count()), 0);
   for (int t = 0; t < solid.boundary.triangle_count(); ++t)
-    for (const Side s : mesh::sides_of(t))
+    for (const Side s : surface::sides_of(t))
       if (is_rim(solid, base, s)) on[solid.boundary.from(s)] = on[solid.boundary.to(s)] = 1;
   return on;
 }
@@ -54,7 +54,7 @@ std::vector<int> twice_euler(const Solid& solid, const std::vector<int>& base,
   for (int t = 0; t < solid.boundary.triangle_count(); ++t) {
     int& sum = twice[piece[t]];
     --sum;
-    for (const Side s : mesh::sides_of(t)) {
+    for (const Side s : surface::sides_of(t)) {
       if (is_rim(solid, base, s)) ++sum;
       if (!std::exchange(counted[solid.boundary.apex(s)], 1)) sum += 2;
     }
@@ -91,7 +91,7 @@ bool fill_holes(const Solid& solid, std::vector<int>& base) {
   for (int t = 0; t < solid.boundary.triangle_count(); ++t) {
     int& with = filled[piece[t]];
     if (base[t] >= 0 || twice[piece[t]] != 2 || with >= 0) continue;
-    for (const Side s : mesh::sides_of(t))
+    for (const Side s : surface::sides_of(t))
       if (with < 0 && is_rim(solid, base, s)) with = base[solid.boundary.mate(s).triangle()];
   }
   bool changed = false;
@@ -109,10 +109,10 @@ bool open_pinches(const Solid& solid, std::vector<int>& base) {
   std::vector<char> on_rim = on_rims(solid, base);
   bool changed = false;
   for (int t = 0; t < solid.boundary.triangle_count(); ++t)
-    for (const Side s : mesh::sides_of(t)) {
+    for (const Side s : surface::sides_of(t)) {
       const int v = solid.boundary.vertex({s, true});
       if (std::exchange(seen[v], 1) || !on_rim[v]) continue;
-      const std::vector<SideEnd> around = mesh::fan(solid.boundary, {s, true});
+      const std::vector<SideEnd> around = surface::fan(solid.boundary, {s, true});
       int changes = 0;
       std::array<bool, 2> met{};
       for (std::size_t k = 0; k < around.size(); ++k) {
@@ -135,7 +135,7 @@ bool shave_jags(const Solid& solid, std::vector<int>& base) {
   bool changed = false;
   for (int t = 0; t < solid.boundary.triangle_count(); ++t) {
     std::array<int, 3> beyond{};
-    for (const Side s : mesh::sides_of(t)) beyond[s.corner()] = base[solid.boundary.mate(s).triangle()];
+    for (const Side s : surface::sides_of(t)) beyond[s.corner()] = base[solid.boundary.mate(s).triangle()];
     for (int c = 0; c < 3; ++c) {
       const int other = beyond[c];
       const bool shaved = other == beyond[(c + 1) % 3] && other != base[t] && beyond[(c + 2) % 3] == base[t];

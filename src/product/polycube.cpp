@@ -3,7 +3,7 @@
 
 #include "polycube_sheets.hpp"
 #include "tetrarch/core/error.hpp"
-#include "tetrarch/mesh/tet_mesh.hpp"
+#include "tetrarch/doctor/build.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -96,7 +96,7 @@ LatticePoint cube_beyond(LatticePoint cube, int axis, int by) {
 }
 
 /// Each triangle is to cover faces of the filled cubes, and all are to be covered just once.
-void require_cover(const Box& box, const Sheets& sheets, const mesh::Surface& boundary,
+void require_cover(const Box& box, const Sheets& sheets, const surface::Surface& boundary,
                    const std::vector<Point>& image) {
   std::map<Facing, double> faces;
   for (const LatticePoint& cube : box.cubes())
@@ -140,7 +140,7 @@ constexpr std::array<std::array<int, 4>, 6> tetrahedra_of_cube{
 
 } // namespace
 
-Polycube filled_polycube(const mesh::Surface& boundary, const std::vector<Point>& image, double step,
+Polycube filled_polycube(const surface::Surface& boundary, const std::vector<Point>& image, double step,
                          int cells) {
   if (cells < 1) throw PreconditionError("a step of the polycube's lattice needs at least one cell");
   const std::vector<Point> at = snapped(boundary, image, step);
@@ -182,14 +182,14 @@ HexMesh hexahedra(const Polycube& polycube) {
   return mesh;
 }
 
-mesh::TetMesh tetrahedra(const Polycube& polycube) {
+solid::TetMesh tetrahedra(const Polycube& polycube) {
   HexMesh cubes = hexahedra(polycube);
   format::Soup soup;
   soup.points = std::move(cubes.points);
   soup.tetrahedra.reserve(6 * cubes.hexahedra.size());
   for (const Hexahedron& h : cubes.hexahedra)
     for (const auto& [a, b, c, d] : tetrahedra_of_cube) soup.tetrahedra.push_back({h[a], h[b], h[c], h[d]});
-  return mesh::build(std::move(soup));
+  return doctor::build(std::move(soup));
 }
 
 } // namespace tetrarch::product

@@ -51,7 +51,7 @@ std::vector<int> carried_bases(const Solid& cubes, const Sheets& all, const std:
 
 /// Where both kinds of a base have the same area, no triangle crosses the rim. `area` is of a triangle of
 /// the cubes, in squares of the lattice.
-void require_rims(const Sheets& all, const mesh::Surface& boundary, const std::vector<Point>& image,
+void require_rims(const Sheets& all, const surface::Surface& boundary, const std::vector<Point>& image,
                   const std::vector<int>& base, const std::vector<int>& carried, double area) {
   for (const int which : {floor_patch, ceiling_patch}) {
     double wanted = 0;
@@ -197,7 +197,7 @@ PolycubeHexahedra polycube_hexahedra(const Solid& solid, const std::vector<Point
   result.cubes = hexahedra(filled_polycube(solid.boundary, image, options.step, options.cells));
 
   const Polycube fine = filled_polycube(solid.boundary, image, options.step, options.cells * options.finer);
-  const Solid cubes = product::solid(tetrahedra(fine));
+  const Solid cubes = product::solid_of(tetrahedra(fine));
   const Sheets all = sheets(solid.boundary, at, facing);
   const std::vector<int> base_of_cubes = carried_bases(cubes, all, base, options.step);
   const double squares = std::pow(fine.edge / options.step, 2);

@@ -4,10 +4,10 @@
 #include "hexahedron.hpp"
 #include "polycube_sheets.hpp"
 #include "tetrarch/core/error.hpp"
-#include "tetrarch/mesh/edge_weights.hpp"
 #include "tetrarch/numeric/predicates.hpp"
 #include "tetrarch/numeric/sparse_cholesky.hpp"
 #include "tetrarch/numeric/vector.hpp"
+#include "tetrarch/solid/edge_weights.hpp"
 #include "tetrarch/unfold/unfold.hpp"
 
 #include <algorithm>
@@ -138,13 +138,13 @@ struct Inside {
   std::vector<double> right; ///< three columns
 };
 
-Inside inside_equations(const Solid& solid, const std::vector<mesh::WeightedEdge>& edges,
+Inside inside_equations(const Solid& solid, const std::vector<solid::WeightedEdge>& edges,
                         const std::vector<Point>& image) {
   Inside s;
   s.number.assign(image.size(), -1);
   int size = 0;
   std::vector<char> used(image.size(), 0); // files have points that belong to nothing
-  for (const mesh::WeightedEdge& e : edges) used[e.from] = used[e.to] = 1;
+  for (const solid::WeightedEdge& e : edges) used[e.from] = used[e.to] = 1;
   for (std::size_t v = 0; v < image.size(); ++v)
     if (solid.on_boundary[v] < 0 && used[v] != 0) s.number[v] = size++;
   std::vector<double> diagonal(static_cast<std::size_t>(size), 0.0);
@@ -159,7 +159,7 @@ Inside inside_equations(const Solid& solid, const std::vector<mesh::WeightedEdge
     else if (s.number[there] > row)
       below[row].emplace_back(s.number[there], -weight);
   };
-  for (const mesh::WeightedEdge& e : edges) {
+  for (const solid::WeightedEdge& e : edges) {
     add(e.from, e.to, e.weight);
     add(e.to, e.from, e.weight);
   }
@@ -185,8 +185,8 @@ std::optional<std::vector<Point>> harmonic_image(const Solid& solid, const std::
     throw PreconditionError("harmonic_image: each vertex of the boundary needs an image");
   std::vector<Point> image(solid.mesh.points.size(), Point{});
   for (std::size_t b = 0; b < boundary_image.size(); ++b) image[solid.vertex[b]] = boundary_image[b];
-  std::vector<mesh::WeightedEdge> edges = mesh::edge_weights(solid.mesh);
-  for (mesh::WeightedEdge& e : edges)
+  std::vector<solid::WeightedEdge> edges = solid::edge_weights(solid.mesh);
+  for (solid::WeightedEdge& e : edges)
     if (clamped) e.weight = std::max(e.weight, 0.0);
   Inside inside = inside_equations(solid, edges, image);
   const int size = inside.matrix.size();

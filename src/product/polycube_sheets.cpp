@@ -29,7 +29,7 @@ std::string text(const Corners& p) {
   return text(p[0]) + ", " + text(p[1]) + ", " + text(p[2]);
 }
 
-Corners corners_of(const mesh::Surface& boundary, const std::vector<Point>& image, int triangle) {
+Corners corners_of(const surface::Surface& boundary, const std::vector<Point>& image, int triangle) {
   const auto& v = boundary.corners(triangle);
   return {image[v[0]], image[v[1]], image[v[2]]};
 }
@@ -46,7 +46,7 @@ std::complex<double> flat(const Facing& facing, const Point& p) {
   return facing.up ? std::complex{next, last} : std::complex{last, next};
 }
 
-std::vector<Point> snapped(const mesh::Surface& boundary, const std::vector<Point>& image, double step) {
+std::vector<Point> snapped(const surface::Surface& boundary, const std::vector<Point>& image, double step) {
   if (static_cast<int>(image.size()) != boundary.vertex_count())
     throw PreconditionError("a polycube map needs one image for each vertex of the boundary");
   if (!(step > 0)) throw PreconditionError("the step of the polycube's lattice must be positive");
@@ -63,7 +63,7 @@ std::vector<Point> snapped(const mesh::Surface& boundary, const std::vector<Poin
   return result;
 }
 
-std::vector<Facing> facings(const mesh::Surface& boundary, const std::vector<Point>& image) {
+std::vector<Facing> facings(const surface::Surface& boundary, const std::vector<Point>& image) {
   std::vector<Facing> result;
   result.reserve(static_cast<std::size_t>(boundary.triangle_count()));
   for (int t = 0; t < boundary.triangle_count(); ++t) {
@@ -90,7 +90,7 @@ std::vector<Facing> facings(const mesh::Surface& boundary, const std::vector<Poi
   return result;
 }
 
-Sheets sheets(const mesh::Surface& boundary, const std::vector<Point>& image,
+Sheets sheets(const surface::Surface& boundary, const std::vector<Point>& image,
               const std::vector<Facing>& facing, const std::vector<char>& wanted) {
   Sheets result;
   std::map<Facing, std::vector<numeric::FlatTriangle>> corners;

@@ -10,9 +10,9 @@
 ///       | front  |/  /|      two; on one that faces down they change places: so triangles seen from outside
 ///       |________/__/ |      are counterclockwise in both.
 
-#include "tetrarch/mesh/surface.hpp"
 #include "tetrarch/numeric/flat_locator.hpp"
 #include "tetrarch/product/solid.hpp"
+#include "tetrarch/surface/surface.hpp"
 
 #include <compare>
 #include <complex>
@@ -40,14 +40,14 @@ using Sheets = std::map<Facing, Sheet>;
 
 /// The images in steps of the lattice; what is nearly a whole number becomes one. Throws as
 /// `filled_polycube`.
-std::vector<Point> snapped(const mesh::Surface& boundary, const std::vector<Point>& image, double step);
+std::vector<Point> snapped(const surface::Surface& boundary, const std::vector<Point>& image, double step);
 
 /// Where each triangle lies, for images that are snapped. Throws InputError if one lies in no plane of the
 /// lattice, or has no area.
-std::vector<Facing> facings(const mesh::Surface& boundary, const std::vector<Point>& image);
+std::vector<Facing> facings(const surface::Surface& boundary, const std::vector<Point>& image);
 
 /// Those of the triangles that are in `wanted`; empty: of all.
-Sheets sheets(const mesh::Surface& boundary, const std::vector<Point>& image,
+Sheets sheets(const surface::Surface& boundary, const std::vector<Point>& image,
               const std::vector<Facing>& facing, const std::vector<char>& wanted = {});
 
 struct OnSurface {

@@ -2,11 +2,11 @@
 #include "tetrarch/product/product.hpp"
 
 #include "tetrarch/core/error.hpp"
-#include "tetrarch/mesh/boundary_loops.hpp"
-#include "tetrarch/mesh/split_edges.hpp"
 #include "tetrarch/numeric/parallel.hpp"
 #include "tetrarch/numeric/predicates.hpp"
 #include "tetrarch/numeric/vector.hpp"
+#include "tetrarch/solid/split_edges.hpp"
+#include "tetrarch/surface/boundary_loops.hpp"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -27,7 +27,7 @@ Edge edge(int a, int b) {
 }
 
 /// Edges that join two vertices of a base but are not on it.
-std::vector<mesh::EdgePoint> shortcuts(const Solid& solid, const Partition& partition) {
+std::vector<solid::EdgePoint> shortcuts(const Solid& solid, const Partition& partition) {
   const std::vector<int> base = bases_of_vertices(solid, partition);
   std::set<Edge> on_base;
   for (int t = 0; t < solid.boundary.triangle_count(); ++t)
@@ -38,7 +38,7 @@ std::vector<mesh::EdgePoint> shortcuts(const Solid& solid, const Partition& part
     for (const auto& [i, j] : edge_vertex)
       if (base[v[i]] >= 0 && base[v[i]] == base[v[j]] && !on_base.contains(edge(v[i], v[j])))
         found.insert(edge(v[i], v[j]));
-  std::vector<mesh::EdgePoint> splits;
+  std::vector<solid::EdgePoint> splits;
   splits.reserve(found.size());
   for (const Edge& e : found) splits.push_back({e[0], e[1], 0.5});
   return splits;
@@ -65,7 +65,7 @@ WallSize size_of_walls(const Solid& solid, const Partition& partition) {
     std::array<Eigen::Vector3d, 3> p;
     for (int c = 0; c < 3; ++c) p[c] = Eigen::Vector3d::Map(solid.point(solid.corner(t, c)).data());
     size.area += (p[1] - p[0]).cross(p[2] - p[0]).norm() / 2;
-    for (const mesh::Side s : mesh::sides_of(t)) {
+    for (const surface::Side s : surface::sides_of(t)) {
       if (partition.patch[solid.boundary.mate(s).triangle()] < first_wall)
         size.rims += (p[s.next().corner()] - p[s.previous().corner()]).norm();
     }
@@ -115,10 +115,10 @@ double mean_edge(const Solid& solid) {
 } // namespace
 
 SplitSolid split_shortcuts(Solid before, Partition partition) {
-  const std::vector<mesh::EdgePoint> splits = shortcuts(before, partition);
+  const std::vector<solid::EdgePoint> splits = shortcuts(before, partition);
   if (splits.empty()) return {std::move(before), std::move(partition), 0};
-  mesh::SplitTets split = mesh::split_edges(before.mesh, splits);
-  SplitSolid after{solid(std::move(split.mesh)), {{}, partition.walls}, static_cast<int>(splits.size())};
+  solid::SplitTets split = solid::split_edges(before.mesh, splits);
+  SplitSolid after{solid_of(std::move(split.mesh)), {{}, partition.walls}, static_cast<int>(splits.size())};
   after.partition.patch.reserve(after.solid.face.size());
   for (const TetFace face : after.solid.face) {
     const int from = 4 * split.origin[face.tet] + split.face_of[4 * face.tet + face.face];
@@ -131,8 +131,8 @@ double natural_height(const Solid& solid, const Partition& partition, const Floo
   const WallSize walls = size_of_walls(solid, partition);
   std::vector<Point> here;
   std::vector<Point> there;
-  for (const mesh::BoundaryLoop& loop : mesh::boundary_loops(floor.mesh))
-    for (const mesh::SideEnd e : loop.sides) {
+  for (const surface::BoundaryLoop& loop : surface::boundary_loops(floor.mesh))
+    for (const surface::SideEnd e : loop.sides) {
       const int v = floor.mesh.surface.vertex(e);
       here.push_back(floor.mesh.points[v]);
       there.push_back({floor.position[v].real(), floor.position[v].imag(), 0});

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "rectangle_corners.hpp"
 
-#include "tetrarch/mesh/laplacian.hpp"
 #include "tetrarch/numeric/flat_triangle.hpp"
+#include "tetrarch/surface/laplacian.hpp"
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
@@ -126,10 +126,10 @@ std::array<int, 4> outer_corners(const std::vector<int>& outer, const std::vecto
 
 /// A rectangle without regard to the holes: x is harmonic between the left and the right side, y between the
 /// lower and the upper one, and nothing flows out anywhere else.
-std::array<std::vector<double>, 2> rough_rectangle(const mesh::TriangleMesh& floor,
+std::array<std::vector<double>, 2> rough_rectangle(const surface::TriangleMesh& floor,
                                                    const std::vector<int>& rim,
                                                    const std::array<int, 4>& corners) {
-  const std::vector<double> weight = mesh::half_cotangents(floor);
+  const std::vector<double> weight = surface::half_cotangents(floor);
   const auto harmonic = [&](int low, int high) { // sides: 0 is the lower one, from corner 0 to corner 1
     std::vector<char> held(floor.points.size(), 0);
     std::vector<double> data(floor.points.size(), 0.0);
@@ -142,7 +142,7 @@ std::array<std::vector<double>, 2> rough_rectangle(const mesh::TriangleMesh& flo
         if (++k == rim.end()) k = rim.begin();
       }
     }
-    return mesh::LaplaceSolver(floor.surface, weight, held).solve({data}).front();
+    return surface::LaplaceSolver(floor.surface, weight, held).solve({data}).front();
   };
   return {harmonic(3, 1), harmonic(0, 2)};
 }
@@ -155,7 +155,7 @@ Complex gradient(const std::array<Complex, 3>& p, const std::array<double, 3>& f
 }
 
 /// The direction in which x grows around a loop: the mean over its triangles, of y turned back, too.
-Complex frame_at(const mesh::TriangleMesh& floor, const std::vector<int>& loop,
+Complex frame_at(const surface::TriangleMesh& floor, const std::vector<int>& loop,
                  const std::vector<Complex>& place, const std::array<std::vector<double>, 2>& rough) {
   std::vector<char> on_loop(floor.points.size(), 0);
   for (const int v : loop) on_loop[v] = 1;
@@ -177,7 +177,7 @@ Complex frame_at(const mesh::TriangleMesh& floor, const std::vector<int>& loop,
 
 } // namespace
 
-std::optional<std::vector<Complex>> shadow(const mesh::TriangleMesh& floor, const std::vector<int>& rim) {
+std::optional<std::vector<Complex>> shadow(const surface::TriangleMesh& floor, const std::vector<int>& rim) {
   Eigen::Vector3d normal = Eigen::Vector3d::Zero();
   double area = 0;
   const auto point = [&](int v) -> Eigen::Vector3d { return Eigen::Vector3d::Map(floor.points[v].data()); };
@@ -205,7 +205,7 @@ std::optional<std::vector<Complex>> shadow(const mesh::TriangleMesh& floor, cons
   return places;
 }
 
-std::vector<CornerHints> corner_guesses(const mesh::TriangleMesh& floor,
+std::vector<CornerHints> corner_guesses(const surface::TriangleMesh& floor,
                                         const std::vector<std::vector<int>>& rims,
                                         const std::vector<Complex>& place,
                                         const std::optional<std::array<int, 4>>& given) {

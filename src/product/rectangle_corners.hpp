@@ -8,7 +8,7 @@
 ///      |  (_) |__| |      finds what is near.
 ///      '----------'
 
-#include "tetrarch/mesh/triangle_mesh.hpp"
+#include "tetrarch/surface/triangle_mesh.hpp"
 
 #include <array>
 #include <complex>
@@ -22,7 +22,7 @@ using CornerHints = std::vector<std::array<int, 4>>;
 
 /// The floor's shadow in the plane of its area vector: x along the principal axis of the rim. None where the
 /// shadow is much smaller than the floor, which is then no plate.
-std::optional<std::vector<std::complex<double>>> shadow(const mesh::TriangleMesh& floor,
+std::optional<std::vector<std::complex<double>>> shadow(const surface::TriangleMesh& floor,
                                                         const std::vector<int>& rim);
 
 /// Rims by their vertices in the order of walking, the floor to the left; the outer one first. `place` shows
@@ -30,7 +30,7 @@ std::optional<std::vector<std::complex<double>>> shadow(const mesh::TriangleMesh
 /// each hole's extreme points as it lies, in the frame that a rectangle without regard to holes has there;
 /// and those of its image in that rectangle, which is better where the frame turns within the size of the
 /// hole. `given` are the outer corners, if somebody chose them. Two sparse factorisations.
-std::vector<CornerHints> corner_guesses(const mesh::TriangleMesh& floor,
+std::vector<CornerHints> corner_guesses(const surface::TriangleMesh& floor,
                                         const std::vector<std::vector<int>>& rims,
                                         const std::vector<std::complex<double>>& place,
                                         const std::optional<std::array<int, 4>>& given);

@@ -11,7 +11,7 @@
 namespace tetrarch::product {
 namespace {
 
-void require_volumes(const mesh::TetMesh& mesh) {
+void require_volumes(const solid::TetMesh& mesh) {
   for (std::size_t t = 0; t < mesh.tetrahedra.size(); ++t) {
     const auto& v = mesh.tetrahedra[t];
     const numeric::Sign sign =
@@ -27,15 +27,15 @@ void require_volumes(const mesh::TetMesh& mesh) {
 void add_boundary(Solid& solid) {
   solid.on_boundary.assign(solid.mesh.points.size(), -1);
   solid.outside.assign(4 * solid.mesh.tetrahedra.size(), -1);
-  std::vector<mesh::Surface::Triangle> triangles;
+  std::vector<surface::Surface::Triangle> triangles;
   for (int t = 0; t < solid.size(); ++t)
     for (int f = 0; f < 4; ++f) {
       if (!solid.gluings.is_boundary({t, f})) continue;
       solid.outside[4 * t + f] = static_cast<int>(triangles.size());
       solid.face.push_back({t, f});
       const OrientedTetFace seen = outward({t, f});
-      mesh::Surface::Triangle triangle{solid.corners(t)[seen.a], solid.corners(t)[seen.b],
-                                       solid.corners(t)[seen.c]};
+      surface::Surface::Triangle triangle{solid.corners(t)[seen.a], solid.corners(t)[seen.b],
+                                          solid.corners(t)[seen.c]};
       for (int& v : triangle) {
         int& number = solid.on_boundary[v];
         if (number < 0) {
@@ -46,20 +46,20 @@ void add_boundary(Solid& solid) {
       }
       triangles.push_back(triangle);
     }
-  solid.boundary = mesh::Surface(static_cast<int>(solid.vertex.size()), std::move(triangles));
+  solid.boundary = surface::Surface(static_cast<int>(solid.vertex.size()), std::move(triangles));
 }
 
 } // namespace
 
-Solid solid(mesh::TetMesh mesh) {
+Solid solid_of(solid::TetMesh mesh) {
   require_volumes(mesh);
   Solid result;
-  result.gluings = mesh::triangulation_of(mesh);
+  result.gluings = solid::triangulation_of(mesh);
   result.mesh = std::move(mesh);
   if (const int pieces = components(result.gluings).count; pieces != 1)
     throw InputError("the solid falls apart into " + std::to_string(pieces) + " pieces; expected one");
   add_boundary(result);
-  if (const int surfaces = mesh::parts(result.boundary).count; surfaces != 1)
+  if (const int surfaces = surface::parts(result.boundary).count; surfaces != 1)
     throw InputError("the boundary of the solid has " + std::to_string(surfaces) +
                      " components; a handlebody has one");
   return result;
@@ -76,7 +76,7 @@ double volume(const Solid& solid) {
 }
 
 int genus(const Solid& solid) {
-  return mesh::type_of(solid.boundary).genus();
+  return surface::type_of(solid.boundary).genus();
 }
 
 } // namespace tetrarch::product

@@ -5,8 +5,8 @@
 #include "patches.hpp"
 
 #include "tetrarch/core/error.hpp"
-#include "tetrarch/mesh/laplacian.hpp"
 #include "tetrarch/numeric/vector.hpp"
+#include "tetrarch/surface/laplacian.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -21,9 +21,9 @@ namespace {
 
 using namespace numeric;
 
-using mesh::Loop;
-using mesh::MarkedSurface;
-using mesh::SideEnd;
+using surface::Loop;
+using surface::MarkedSurface;
+using surface::SideEnd;
 
 struct Candidate {
   Loop loop;
@@ -66,10 +66,10 @@ struct LoopSearch {
   std::vector<FirstHomology::Element> chosen;
   std::vector<char> on_boundary;
 
-  LoopSearch(mesh::TriangleMesh cut, const FirstHomology& h, std::vector<FirstHomology::Element> c)
+  LoopSearch(surface::TriangleMesh cut, const FirstHomology& h, std::vector<FirstHomology::Element> c)
       : surface(std::move(cut.surface), std::move(cut.points)), homology(h), chosen(std::move(c)),
         on_boundary(static_cast<std::size_t>(surface.surface.vertex_count()), 0) {
-    for (const auto& curve : mesh::boundary_curves(surface.surface))
+    for (const auto& curve : surface::boundary_curves(surface.surface))
       for (const SideEnd e : curve) on_boundary[surface.surface.vertex(e)] = 1;
   }
 
@@ -84,7 +84,7 @@ struct LoopSearch {
 /// The shortest simple loop through a root that completes the others, if it is shorter than `best`.
 bool improve(const LoopSearch& search, int root, std::optional<Candidate>& best) {
   bool improved = false;
-  for (const Loop& through_root : mesh::generators(search.surface, root)) {
+  for (const Loop& through_root : surface::generators(search.surface, root)) {
     const Loop loop = without_tail(search.surface, through_root);
     const double length = length_of(search.surface, loop);
     if (best && length >= best->length * (1 - 1e-9)) continue;
@@ -100,7 +100,7 @@ std::optional<Candidate> shortest_loop(const LoopSearch& search) {
   constexpr int most_roots = 64;
   constexpr int most_rounds = 10;
   std::optional<Candidate> best;
-  improve(search, mesh::root_of_short_generators(search.surface, tries), best);
+  improve(search, surface::root_of_short_generators(search.surface, tries), best);
   const int vertices = search.surface.surface.vertex_count();
   for (int v = 0; v < vertices && !best; v += 1 + vertices / most_roots) improve(search, v, best);
   for (int round = 0; round < most_rounds && best; ++round) {
@@ -114,8 +114,8 @@ std::optional<Candidate> shortest_loop(const LoopSearch& search) {
 }
 
 /// Cut open along the marks.
-mesh::TriangleMesh opened(const MarkedSurface& surface) {
-  mesh::TriangleMesh result{{}, mesh::cut_open(surface)};
+surface::TriangleMesh opened(const MarkedSurface& surface) {
+  surface::TriangleMesh result{{}, surface::cut_open(surface)};
   result.points.resize(static_cast<std::size_t>(result.surface.vertex_count()));
   for (int t = 0; t < result.surface.triangle_count(); ++t)
     for (int c = 0; c < 3; ++c)
@@ -125,7 +125,7 @@ mesh::TriangleMesh opened(const MarkedSurface& surface) {
 
 /// Far from where they are, to and fro: ways along the boundary are then longer than all others, and short
 /// loops keep away from it.
-void move_boundary_away(mesh::TriangleMesh& cut) {
+void move_boundary_away(surface::TriangleMesh& cut) {
   Point low = cut.points.front();
   Point high = low;
   for (const Point& p : cut.points)
@@ -134,7 +134,7 @@ void move_boundary_away(mesh::TriangleMesh& cut) {
       high[c] = std::max(high[c], p[c]);
     }
   double far = numeric::distance(low, high);
-  for (const auto& curve : mesh::boundary_curves(cut.surface))
+  for (const auto& curve : surface::boundary_curves(cut.surface))
     for (const SideEnd e : curve) {
       cut.points[cut.surface.vertex(e)][0] += far;
       far = -far;
@@ -144,9 +144,9 @@ void move_boundary_away(mesh::TriangleMesh& cut) {
 using Banks = std::vector<std::array<std::vector<int>, 2>>;
 
 /// Both banks of each loop, as vertices of the surface that is cut along them.
-Banks banks_of(const mesh::Surface& cut, const TunnelLoops& around) {
+Banks banks_of(const surface::Surface& cut, const TunnelLoops& around) {
   Banks banks(around.loops.size());
-  for (const auto& curve : mesh::boundary_curves(cut)) {
+  for (const auto& curve : surface::boundary_curves(cut)) {
     const int mark = around.surface[curve.front().side];
     std::vector<int>& bank = banks[std::abs(mark) - 1][mark > 0 ? 0 : 1];
     for (const SideEnd e : curve) bank.push_back(cut.vertex(e));
@@ -157,8 +157,8 @@ Banks banks_of(const mesh::Surface& cut, const TunnelLoops& around) {
 /// For each vertex of the inner wall at a bank of loop k how far inside it is: 1 on the bank, 0 or less
 /// beyond the wall. That is an eighth of the loop wide, or a row of triangles, but stays away from other
 /// loops and leaves most of the way to the other bank.
-std::vector<double> inside_wall(const mesh::TriangleMesh& cut, const TunnelLoops& around, const Banks& banks,
-                                std::size_t k, int side) {
+std::vector<double> inside_wall(const surface::TriangleMesh& cut, const TunnelLoops& around,
+                                const Banks& banks, std::size_t k, int side) {
   constexpr double to_others = 0.3; ///< in terms of the distances from there
   constexpr double to_other_bank = 0.25;
   std::vector<int> others;
@@ -185,7 +185,7 @@ std::vector<double> inside_wall(const mesh::TriangleMesh& cut, const TunnelLoops
 /// of the other; harmonic elsewhere. By corners. Empty if there are no trees.
 CornerValues harmonic_between_trees(const TunnelLoops& around, int branches) {
   constexpr std::array on_trees{0.8, 0.2};
-  const mesh::TriangleMesh cut = opened(around.surface);
+  const surface::TriangleMesh cut = opened(around.surface);
   const Banks banks = banks_of(cut.surface, around);
   const auto found = opposite_trees(cut, banks, branches);
   if (!found) return {};
@@ -210,8 +210,8 @@ CornerValues harmonic_between_trees(const TunnelLoops& around, int branches) {
         walls[v] = k == 0 ? inside[v] : -inside[v];
       }
     }
-  const std::vector<double> weight = mesh::half_cotangents(cut);
-  std::vector<double> f = mesh::LaplaceSolver(cut.surface, weight, held).solve({data}).front();
+  const std::vector<double> weight = surface::half_cotangents(cut);
+  std::vector<double> f = surface::LaplaceSolver(cut.surface, weight, held).solve({data}).front();
   std::transform(f.begin(), f.end(), walls.begin(), f.begin(), std::plus<>());
   CornerValues values;
   values.reserve(cut.surface.triangles().size());
@@ -252,14 +252,14 @@ std::optional<TunnelLoops> tunnel_loops(const Solid& solid, const FirstHomology&
   TunnelLoops found{MarkedSurface(solid.boundary, std::move(points)), {}, {}};
   std::vector<FirstHomology::Element> chosen;
   for (int k = 1; k <= genus(solid); ++k) {
-    mesh::TriangleMesh cut = opened(found.surface);
+    surface::TriangleMesh cut = opened(found.surface);
     std::optional<Candidate> best = shortest_loop(LoopSearch(cut, homology, chosen));
     if (!best) {
       move_boundary_away(cut);
       best = shortest_loop(LoopSearch(std::move(cut), homology, chosen));
     }
     if (!best) return {};
-    for (const SideEnd e : best->loop) mesh::set_mark(found.surface, e.side, e.at_start ? k : -k);
+    for (const SideEnd e : best->loop) surface::set_mark(found.surface, e.side, e.at_start ? k : -k);
     chosen.push_back(homology.of(best->loop));
     found.loops.push_back(std::move(best->loop));
     found.length.push_back(best->length);

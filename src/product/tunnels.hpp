@@ -18,7 +18,7 @@
 #include "homology.hpp"
 #include "levels.hpp"
 
-#include "tetrarch/mesh/cuts.hpp"
+#include "tetrarch/surface/cuts.hpp"
 
 #include <array>
 #include <optional>
@@ -28,9 +28,9 @@
 namespace tetrarch::product {
 
 struct TunnelLoops {
-  mesh::MarkedSurface surface;   ///< the boundary; loop k, from 0, is marked k + 1
-  std::vector<mesh::Loop> loops; ///< as many as there are handles
-  std::vector<double> length;    ///< of each
+  surface::MarkedSurface surface;   ///< the boundary; loop k, from 0, is marked k + 1
+  std::vector<surface::Loop> loops; ///< as many as there are handles
+  std::vector<double> length;       ///< of each
 };
 
 /// The shortest loop that is part of a basis of the homology, then the shortest that completes it and does

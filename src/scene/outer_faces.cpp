@@ -26,8 +26,8 @@ constexpr int no_corner = -1;
 
 /// All faces of all cells: four for each tetrahedron, then six for each hexahedron.
 ///
-/// Equal faces are found like in mesh/face_sweep.hpp: their numbers are sorted into buckets by their smallest
-/// corner, and only within a bucket are the other corners compared.
+/// Equal faces are found like in solid/face_sweep.hpp: their numbers are sorted into buckets by their
+/// smallest corner, and only within a bucket are the other corners compared.
 class Faces {
 public:
   explicit Faces(const Cells& cells)

@@ -4,8 +4,8 @@
 
 #include "tetrarch/bundle/gluable.hpp"
 #include "tetrarch/core/error.hpp"
-#include "tetrarch/mesh/planar.hpp"
 #include "tetrarch/scene/palette.hpp"
+#include "tetrarch/surface/planar.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -32,13 +32,13 @@ constexpr Color blue{40, 80, 200};
 class Tori {
 public:
   explicit Tori(const Plan& plan)
-      : open_(mesh::cut_open(plan.cut)), parts_(mesh::parts(open_)), fiber_(plan.recipe.fiber),
+      : open_(surface::cut_open(plan.cut)), parts_(surface::parts(open_)), fiber_(plan.recipe.fiber),
         place_(static_cast<std::size_t>(open_.vertex_count())), part_of_(place_.size()) {
     int number = 0;
-    for (const mesh::Part& part : mesh::split(open_, parts_)) lay_flat(part, number++);
+    for (const surface::Part& part : surface::split(open_, parts_)) lay_flat(part, number++);
   }
 
-  const mesh::Surface& open() const { return open_; }
+  const surface::Surface& open() const { return open_; }
   int part(int triangle) const { return parts_.of[static_cast<std::size_t>(triangle)]; }
   const std::array<double, 2>& flat(int vertex) const { return place_[static_cast<std::size_t>(vertex)]; }
 
@@ -60,8 +60,8 @@ public:
   }
 
 private:
-  void lay_flat(const mesh::Part& part, int number) {
-    const auto points = mesh::tutte_embedding(part.surface);
+  void lay_flat(const surface::Part& part, int number) {
+    const auto points = surface::tutte_embedding(part.surface);
     for (int t = 0; t < part.surface.triangle_count(); ++t)
       for (int c = 0; c < 3; ++c) {
         const int v = open_.corners(part.triangles[t])[c];
@@ -70,8 +70,8 @@ private:
       }
   }
 
-  mesh::Surface open_;
-  mesh::Parts parts_;
+  surface::Surface open_;
+  surface::Parts parts_;
   int fiber_;
   std::vector<std::array<double, 2>> place_;
   std::vector<int> part_of_;
@@ -243,7 +243,7 @@ Scene gluable_tori(const Plan& plan) {
 }
 
 Scene cut_surface(const Plan& plan, const std::vector<int>& index) {
-  const mesh::Surface& surface = plan.cut.surface;
+  const surface::Surface& surface = plan.cut.surface;
   if (plan.cut.points.empty()) throw PreconditionError("the surface has no points");
   Surface shown;
   shown.name = "surface";

@@ -18,8 +18,8 @@ using namespace scene;
 
 namespace {
 
-using mesh::Side;
-using mesh::SideEnd;
+using surface::Side;
+using surface::SideEnd;
 using Place = std::array<double, 2>;
 
 constexpr double full_turn = 2 * std::numbers::pi;
@@ -38,7 +38,7 @@ int place_to(const Layout& layout, Side s) {
 /// all vertices, one for each shift.
 class Placer {
 public:
-  explicit Placer(const mesh::Surface& surface) : surface_(surface) {
+  explicit Placer(const surface::Surface& surface) : surface_(surface) {
     const auto vertices = static_cast<std::size_t>(surface.vertex_count());
     layout_.places.resize(vertices);
     layout_.corners = surface.triangles();
@@ -65,7 +65,7 @@ public:
   Layout take() { return std::move(layout_); }
 
 private:
-  const mesh::Surface& surface_;
+  const surface::Surface& surface_;
   Layout layout_;
   std::vector<long long> shift_of_first_;
   std::vector<char> is_met_;
@@ -73,7 +73,7 @@ private:
 };
 
 Layout rectangle(const slit::OneForms& forms, const slit::SlitMap& map) {
-  const mesh::Surface& surface = forms.mesh().surface;
+  const surface::Surface& surface = forms.mesh().surface;
   const slit::ParallelDomain domain = slit::parallel_domain(surface, map);
   Placer placer(surface);
   for (int t = 0; t < surface.triangle_count(); ++t)
@@ -93,7 +93,7 @@ Layout rectangle(const slit::OneForms& forms, const slit::SlitMap& map) {
 }
 
 /// Each loop as the places one comes by, closed, and cut at the seam.
-std::vector<std::vector<int>> paths(const Layout& layout, const mesh::BoundaryLoop& loop) {
+std::vector<std::vector<int>> paths(const Layout& layout, const surface::BoundaryLoop& loop) {
   std::vector<std::vector<int>> result;
   for (const SideEnd e : loop.sides) {
     const int here = place_at(layout, e);
@@ -104,11 +104,11 @@ std::vector<std::vector<int>> paths(const Layout& layout, const mesh::BoundaryLo
   return result;
 }
 
-Tubes loop_tubes(const mesh::TriangleMesh& mesh, const Layout& layout, const std::vector<Point>& points) {
+Tubes loop_tubes(const surface::TriangleMesh& mesh, const Layout& layout, const std::vector<Point>& points) {
   Tubes tubes;
   tubes.name = "loops";
   Data number{"loop", {}};
-  for (const mesh::BoundaryLoop& loop : mesh::boundary_loops(mesh)) {
+  for (const surface::BoundaryLoop& loop : surface::boundary_loops(mesh)) {
     const int index = number.values.empty() ? 0 : number.values.back() + 1;
     for (const auto& path : paths(layout, loop)) {
       for (const int place : path) tubes.points.push_back(points[place]);
@@ -123,7 +123,7 @@ Tubes loop_tubes(const mesh::TriangleMesh& mesh, const Layout& layout, const std
 }
 
 /// `points` has one for each place.
-Scene scene_of(const mesh::TriangleMesh& mesh, const Layout& layout, std::vector<Point> points,
+Scene scene_of(const surface::TriangleMesh& mesh, const Layout& layout, std::vector<Point> points,
                const std::string& title) {
   constexpr Color pale{225, 225, 220};
   Scene scene;
@@ -159,7 +159,7 @@ Layout layout(const slit::OneForms& forms, const slit::SlitMap& map, SlitDomain 
 }
 
 Layout basis_layout(const slit::OneForms& forms, int loop) {
-  const mesh::Surface& surface = forms.mesh().surface;
+  const surface::Surface& surface = forms.mesh().surface;
   const slit::HolomorphicOneForm form = slit::holomorphic_one_form(forms, loop);
   std::vector<double> lag(static_cast<std::size_t>(surface.vertex_count()), 0.0);
   for (int i = 1; i < forms.loop_count(); ++i)
@@ -184,13 +184,13 @@ Layout basis_layout(const slit::OneForms& forms, int loop) {
 namespace {
 
 /// Of a disk, one vertex goes to 0 itself.
-bool is_ring(const mesh::TriangleMesh& mesh) {
-  return mesh::boundary_loops(mesh).size() > 1;
+bool is_ring(const surface::TriangleMesh& mesh) {
+  return surface::boundary_loops(mesh).size() > 1;
 }
 
 } // namespace
 
-Layout disk_layout(const mesh::TriangleMesh& mesh, const std::vector<std::complex<double>>& position) {
+Layout disk_layout(const surface::TriangleMesh& mesh, const std::vector<std::complex<double>>& position) {
   Layout result;
   result.name = "circular domain";
   double nearest = 1;
@@ -208,7 +208,7 @@ Layout disk_layout(const mesh::TriangleMesh& mesh, const std::vector<std::comple
   return result;
 }
 
-Layout plane_layout(const mesh::TriangleMesh& mesh, const std::vector<std::complex<double>>& position,
+Layout plane_layout(const surface::TriangleMesh& mesh, const std::vector<std::complex<double>>& position,
                     const std::string& name) {
   Layout result;
   result.name = name;
@@ -230,14 +230,14 @@ Layout plane_layout(const mesh::TriangleMesh& mesh, const std::vector<std::compl
   return result;
 }
 
-Scene slit_domain(const mesh::TriangleMesh& mesh, const Layout& layout) {
+Scene slit_domain(const surface::TriangleMesh& mesh, const Layout& layout) {
   std::vector<Point> points = layout.rolled;
   if (points.empty())
     for (const Place& place : layout.places) points.push_back({place[0], place[1], 0});
   return scene_of(mesh, layout, std::move(points), layout.name);
 }
 
-Scene textured_surface(const mesh::TriangleMesh& mesh, const Layout& layout, const Fields& fields) {
+Scene textured_surface(const surface::TriangleMesh& mesh, const Layout& layout, const Fields& fields) {
   std::vector<Point> points;
   for (const int v : layout.vertex) points.push_back(mesh.points[v]);
   Scene scene = scene_of(mesh, layout, std::move(points), "surface");
@@ -249,7 +249,7 @@ Scene textured_surface(const mesh::TriangleMesh& mesh, const Layout& layout, con
   return scene;
 }
 
-std::string textured_obj(const mesh::TriangleMesh& mesh, const Layout& layout) {
+std::string textured_obj(const surface::TriangleMesh& mesh, const Layout& layout) {
   std::string out;
   const auto append_line = [&out](const char* keyword, const auto& vector) {
     out += keyword;
@@ -274,8 +274,8 @@ std::string textured_obj(const mesh::TriangleMesh& mesh, const Layout& layout) {
   return out;
 }
 
-Drawing slit_drawing(const mesh::TriangleMesh& mesh, const Layout& layout) {
-  const mesh::Surface& surface = mesh.surface;
+Drawing slit_drawing(const surface::TriangleMesh& mesh, const Layout& layout) {
+  const surface::Surface& surface = mesh.surface;
   Drawing drawing;
   drawing.title = layout.name;
   drawing.lower = {0, 0};
@@ -305,7 +305,7 @@ Drawing slit_drawing(const mesh::TriangleMesh& mesh, const Layout& layout) {
     if (!drawn) add({place_from(layout, s), place_to(layout, s)}, {150, 150, 150}, 0.3);
   }
   int number = 0;
-  for (const mesh::BoundaryLoop& loop : mesh::boundary_loops(mesh)) {
+  for (const surface::BoundaryLoop& loop : surface::boundary_loops(mesh)) {
     for (const auto& path : paths(layout, loop)) add(path, qualitative(number), 3);
     ++number;
   }

@@ -13,8 +13,8 @@
 namespace tetrarch::slit {
 namespace {
 
-using mesh::Side;
-using mesh::Surface;
+using surface::Side;
+using surface::Surface;
 using Complex = std::complex<double>;
 using numeric::FlatTriangle;
 using unfold::FlatFreedom;
@@ -29,7 +29,7 @@ struct Task {
 
 /// `image(t)` places the corners of a triangle.
 template <class Image>
-Task task(const mesh::TriangleMesh& mesh, const std::vector<char>& ears, std::vector<FlatFreedom> freedom,
+Task task(const surface::TriangleMesh& mesh, const std::vector<char>& ears, std::vector<FlatFreedom> freedom,
           const Image& image) {
   Task result{{}, std::move(freedom), 0};
   double area = 0;
@@ -70,7 +70,7 @@ void hold_ends(const OneForms& forms, const SlitMap& map, std::vector<FlatFreedo
   for (const Slit& slit : map.slits) {
     const auto& sides = forms.loops()[slit.loop].sides;
     std::vector<double> at{0.0};
-    for (const mesh::SideEnd e : sides) at.push_back(at.back() + map.form.imaginary[e.side.value]);
+    for (const surface::SideEnd e : sides) at.push_back(at.back() + map.form.imaginary[e.side.value]);
     at.pop_back();
     const auto [low, high] = std::minmax_element(at.begin(), at.end());
     for (const auto end : {low, high}) freedom[surface.vertex(sides[end - at.begin()])].kind = Kind::fixed;
@@ -79,7 +79,7 @@ void hold_ends(const OneForms& forms, const SlitMap& map, std::vector<FlatFreedo
 }
 
 /// Pairs of edges of the boundary that cross, by a sweep over the real axis.
-int crossings(const mesh::TriangleMesh& mesh, const std::vector<Complex>& position) {
+int crossings(const surface::TriangleMesh& mesh, const std::vector<Complex>& position) {
   struct Edge {
     int from;
     int to;
@@ -116,7 +116,7 @@ int crossings(const mesh::TriangleMesh& mesh, const std::vector<Complex>& positi
 
 /// A corner that is in one triangle alone goes to where that triangle is similar to what it is in space:
 /// round holes turn such triangles over.
-void set_tips_right(const mesh::TriangleMesh& mesh, std::vector<Complex>& position) {
+void set_tips_right(const surface::TriangleMesh& mesh, std::vector<Complex>& position) {
   const Surface& surface = mesh.surface;
   for (int t = 0; t < surface.triangle_count(); ++t)
     for (std::size_t c = 0; c < 3; ++c) {
@@ -136,8 +136,8 @@ void set_tips_right(const mesh::TriangleMesh& mesh, std::vector<Complex>& positi
 Balanced balance_on_cylinder(const OneForms& forms, SlitMap& map, const Progress& progress) {
   const Surface& surface = forms.mesh().surface;
   std::vector<FlatFreedom> freedom(static_cast<std::size_t>(surface.vertex_count()));
-  for (const mesh::BoundaryLoop& loop : forms.loops())
-    for (const mesh::SideEnd e : loop.sides) freedom[surface.vertex(e)] = {Kind::line, Complex(0, 1)};
+  for (const surface::BoundaryLoop& loop : forms.loops())
+    for (const surface::SideEnd e : loop.sides) freedom[surface.vertex(e)] = {Kind::line, Complex(0, 1)};
   hold_ends(forms, map, freedom);
   const auto image = [&](int t) {
     const auto value = [&](Side s) { return Complex(map.form.real[s.value], map.form.imaginary[s.value]); };
@@ -155,8 +155,8 @@ Balanced balance_on_ring(const OneForms& forms, SlitMap& map, const Progress& pr
   before.reserve(forms.mesh().points.size());
   for (int v = 0; v < surface.vertex_count(); ++v) before.push_back(map.concentric(v));
   std::vector<FlatFreedom> freedom(before.size());
-  for (const mesh::BoundaryLoop& loop : forms.loops())
-    for (const mesh::SideEnd e : loop.sides) {
+  for (const surface::BoundaryLoop& loop : forms.loops())
+    for (const surface::SideEnd e : loop.sides) {
       const int v = surface.vertex(e);
       freedom[v] = {Kind::circle, before[v]};
     }
@@ -172,11 +172,11 @@ Balanced balance_on_ring(const OneForms& forms, SlitMap& map, const Progress& pr
   return result;
 }
 
-Balanced balance_in_disk(const mesh::TriangleMesh& mesh, CircularMap& map, const Progress& progress) {
-  const auto loops = mesh::boundary_loops(mesh);
+Balanced balance_in_disk(const surface::TriangleMesh& mesh, CircularMap& map, const Progress& progress) {
+  const auto loops = surface::boundary_loops(mesh);
   std::vector<FlatFreedom> freedom(map.position.size());
   for (std::size_t k = 0; k < map.loop.size(); ++k)
-    for (const mesh::SideEnd e : loops[map.loop[k]].sides) {
+    for (const surface::SideEnd e : loops[map.loop[k]].sides) {
       const int v = mesh.surface.vertex(e);
       freedom[v] = {Kind::circle, map.position[v] - map.domain.circles[k].center};
     }
@@ -193,7 +193,7 @@ Balanced balance_in_disk(const mesh::TriangleMesh& mesh, CircularMap& map, const
   return result;
 }
 
-FreeMap free_map(const mesh::TriangleMesh& mesh, const std::vector<Complex>& start,
+FreeMap free_map(const surface::TriangleMesh& mesh, const std::vector<Complex>& start,
                  const Progress& progress) {
   FreeMap result;
   result.position = start;

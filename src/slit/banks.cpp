@@ -32,10 +32,10 @@ std::vector<double> risen(const std::vector<double>& values) {
 
 /// Of each side of the loop +1 where its triangle asks for rising angles, -1 for falling ones. An ear asks
 /// for nothing: it goes with the side before.
-std::vector<int> directions(const OneForms& forms, const SlitMap& map, const mesh::BoundaryLoop& loop) {
-  const mesh::Surface& surface = forms.mesh().surface;
+std::vector<int> directions(const OneForms& forms, const SlitMap& map, const surface::BoundaryLoop& loop) {
+  const surface::Surface& surface = forms.mesh().surface;
   std::vector<int> result;
-  for (const mesh::SideEnd e : loop.sides) {
+  for (const surface::SideEnd e : loop.sides) {
     const double up = map.log_radius[surface.vertex(e)] - map.log_radius[surface.apex(e.side)];
     result.push_back(up > 0 ? 1 : up < 0 ? -1 : 0);
   }
@@ -90,7 +90,7 @@ private:
 };
 
 void add_shifts(const OneForms& forms, const SlitMap& map, int slit_loop, std::map<int, double>& shifts) {
-  const mesh::BoundaryLoop& loop = forms.loops()[slit_loop];
+  const surface::BoundaryLoop& loop = forms.loops()[slit_loop];
   const std::size_t n = loop.sides.size();
   const std::vector<int> direction = directions(forms, map, loop);
   std::size_t start = n;

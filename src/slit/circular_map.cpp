@@ -27,7 +27,7 @@ std::vector<int> samples_of(const LogCurves& curves) {
 /// Samples are off their circles by as much as they do not resolve, and vertices between them with them.
 void put_on_circles(const OneForms& forms, CircularMap& map) {
   for (std::size_t k = 0; k < map.loop.size(); ++k)
-    for (const mesh::SideEnd e : forms.loops()[map.loop[k]].sides) {
+    for (const surface::SideEnd e : forms.loops()[map.loop[k]].sides) {
       std::complex<double>& z = map.position[forms.mesh().surface.vertex(e)];
       const Circle& circle = map.domain.circles[k];
       const std::complex<double> arm = z - circle.center;

@@ -2,7 +2,7 @@
 #include "tetrarch/slit/conjugate.hpp"
 
 #include "tetrarch/core/error.hpp"
-#include "tetrarch/mesh/laplacian.hpp"
+#include "tetrarch/surface/laplacian.hpp"
 
 #include <Eigen/LU>
 #include <algorithm>
@@ -35,7 +35,7 @@ std::vector<Coefficients> conjugates_by_wedges(const OneForms& forms) {
   Eigen::MatrixXd wedges = Eigen::MatrixXd::Zero(2L * n, 2L * n);
   Eigen::MatrixXd targets(2L * n, n + 1L);
   const OneForm eta0 = forms.eta(0);
-  const std::vector<double> weight = mesh::half_cotangents(forms.mesh());
+  const std::vector<double> weight = surface::half_cotangents(forms.mesh());
   for (int row = 0; row < 2 * n; ++row) {
     for (int column = 0; column < 2 * n; ++column)
       wedges(row, column) = wedge(forms.mesh().surface, basis[column], basis[row]);
@@ -72,17 +72,17 @@ HolomorphicOneForm holomorphic_one_form(const OneForms& forms, int loop) {
 }
 
 double distance_from_holomorphic(const OneForms& forms, const HolomorphicOneForm& form) {
-  const std::vector<double> weight = mesh::half_cotangents(forms.mesh());
+  const std::vector<double> weight = surface::half_cotangents(forms.mesh());
   // |b - *a|^2 = |a|^2 + |b|^2 - 2 * integral of a ^ b, triangle by triangle: sums over all of them would
   // cancel.
   double sum = 0;
   for (int t = 0; t < forms.mesh().surface.triangle_count(); ++t) {
     double squares = 0;
-    for (const mesh::Side s : mesh::sides_of(t))
+    for (const surface::Side s : surface::sides_of(t))
       squares += weight[s.value] * (form.real[s.value] * form.real[s.value] +
                                     form.imaginary[s.value] * form.imaginary[s.value]);
-    const int first = mesh::Side(t, 0).value;
-    const int second = mesh::Side(t, 1).value;
+    const int first = surface::Side(t, 0).value;
+    const int second = surface::Side(t, 1).value;
     sum += squares - form.real[first] * form.imaginary[second] + form.real[second] * form.imaginary[first];
   }
   return std::sqrt(std::max(sum, 0.0));

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "full_turn.hpp"
 #include "tetrarch/core/error.hpp"
-#include "tetrarch/mesh/laplacian.hpp"
 #include "tetrarch/numeric/vector.hpp"
 #include "tetrarch/slit/circular_map.hpp"
+#include "tetrarch/surface/laplacian.hpp"
 
 #include <cmath>
 #include <string>
@@ -13,7 +13,7 @@ namespace tetrarch::slit {
 
 namespace {
 
-using mesh::Side;
+using surface::Side;
 
 /// The speed of the angle at the vertices of a loop. Fluxes are averages of it over both edges at a vertex. A
 /// corner without a neighbor inside has the flux 0 on any mesh; its speed lies between those beside it, whose
@@ -39,12 +39,12 @@ std::vector<double> densities(const std::vector<double>& flux, const std::vector
 }
 
 /// The angle at the vertices of the loop, from 0 on. Throws InputError where doubles do not tell them apart.
-std::vector<double> angles_round(const mesh::TriangleMesh& mesh, const mesh::BoundaryLoop& loop,
+std::vector<double> angles_round(const surface::TriangleMesh& mesh, const surface::BoundaryLoop& loop,
                                  const std::vector<double>& flux) {
-  const mesh::Surface& surface = mesh.surface;
+  const surface::Surface& surface = mesh.surface;
   std::vector<double> length;
   std::vector<double> here;
-  for (const mesh::SideEnd e : loop.sides) {
+  for (const surface::SideEnd e : loop.sides) {
     length.push_back(numeric::distance(mesh.points[surface.from(e.side)], mesh.points[surface.to(e.side)]));
     here.push_back(flux[surface.vertex(e)]);
   }
@@ -71,8 +71,8 @@ std::vector<double> angles_round(const mesh::TriangleMesh& mesh, const mesh::Bou
 
 } // namespace
 
-int innermost_vertex(const mesh::TriangleMesh& mesh) {
-  const mesh::Surface& surface = mesh.surface;
+int innermost_vertex(const surface::TriangleMesh& mesh) {
+  const surface::Surface& surface = mesh.surface;
   std::vector<std::vector<int>> neighbours(static_cast<std::size_t>(surface.vertex_count()));
   std::vector<char> met(neighbours.size(), 0);
   std::vector<int> queue;
@@ -90,23 +90,23 @@ int innermost_vertex(const mesh::TriangleMesh& mesh) {
   return queue.size() > boundary ? queue.back() : -1;
 }
 
-CircularMap disk_map(const mesh::TriangleMesh& mesh, int center) {
-  const mesh::Surface& surface = mesh.surface;
-  const SurfaceType type = mesh::type_of(surface);
-  const auto loops = mesh::boundary_loops(mesh);
+CircularMap disk_map(const surface::TriangleMesh& mesh, int center) {
+  const surface::Surface& surface = mesh.surface;
+  const SurfaceType type = surface::type_of(surface);
+  const auto loops = surface::boundary_loops(mesh);
   if (!type.orientable || type.euler != 1 || loops.size() != 1)
     throw InputError("Riemann's map needs a disk, but this surface has type " + type.str());
-  const std::vector<int> loop = mesh::loops_of_vertices(loops, surface);
+  const std::vector<int> loop = surface::loops_of_vertices(loops, surface);
   if (center < 0 || center >= surface.vertex_count() || loop[center] >= 0)
     throw InputError("the center of the disk must be an interior vertex");
-  const std::vector<double> weight = mesh::half_cotangents(mesh);
+  const std::vector<double> weight = surface::half_cotangents(mesh);
   std::vector<char> held;
   held.reserve(loop.size());
   for (const int k : loop) held.push_back(k >= 0);
-  const mesh::LaplaceSolver solver(surface, weight, held);
-  mesh::LaplaceSolver::Columns data(1, std::vector<double>(held.size(), 0.0));
+  const surface::LaplaceSolver solver(surface, weight, held);
+  surface::LaplaceSolver::Columns data(1, std::vector<double>(held.size(), 0.0));
   data[0][center] = -full_turn;
-  const std::vector<double> flux = mesh::fluxes(surface, weight, solver.solve(data)[0]);
+  const std::vector<double> flux = surface::fluxes(surface, weight, solver.solve(data)[0]);
 
   const std::vector<double> angle = angles_round(mesh, loops[0], flux);
   data.assign(2, std::vector<double>(held.size(), 0.0));
@@ -114,7 +114,7 @@ CircularMap disk_map(const mesh::TriangleMesh& mesh, int center) {
     data[0][surface.vertex(loops[0].sides[j])] = std::cos(angle[j]);
     data[1][surface.vertex(loops[0].sides[j])] = std::sin(angle[j]);
   }
-  const mesh::LaplaceSolver::Columns position = solver.solve(data);
+  const surface::LaplaceSolver::Columns position = solver.solve(data);
   CircularMap result;
   result.loop = {0};
   result.domain.circles = {{0, 1, 0}};

@@ -3,7 +3,7 @@
 
 #include "full_turn.hpp"
 #include "tetrarch/core/error.hpp"
-#include "tetrarch/mesh/refine.hpp"
+#include "tetrarch/surface/refine.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -36,7 +36,7 @@ std::vector<int> loops_in_order(const OneForms& forms, LoopPair pair) {
 Level level(const OneForms& forms, const std::vector<int>& vertex, const Progress& progress) {
   std::vector<int> loop;
   loop.reserve(vertex.size());
-  for (const int v : vertex) loop.push_back(mesh::loop_through(forms.loops(), forms.mesh().surface, v));
+  for (const int v : vertex) loop.push_back(surface::loop_through(forms.loops(), forms.mesh().surface, v));
   const SlitMap map = slit_map(forms, loop[0], loop[1]);
   const CircularDomain domain = circular_domain(slit_ring(map), {}, progress);
   Level result{{std::exp(-map.modulus)}, {domain.circles[1].radius}, domain.found};
@@ -99,13 +99,13 @@ void extrapolate(const std::vector<Level>& levels, const Numbers& numbers, std::
 
 } // namespace
 
-Fingerprint fingerprint(const mesh::TriangleMesh& mesh, std::optional<LoopPair> pair, int most_triangles,
+Fingerprint fingerprint(const surface::TriangleMesh& mesh, std::optional<LoopPair> pair, int most_triangles,
                         const Progress& progress) {
   Fingerprint result;
   std::vector<int> vertex; // of each loop, in the order of the result
   std::vector<Level> levels;
   const double most = std::max(most_triangles, mesh.surface.triangle_count());
-  mesh::TriangleMesh fine = mesh;
+  surface::TriangleMesh fine = mesh;
   while (true) {
     progress.step("triangulations", fine.surface.triangle_count() / (2 * most));
     const OneForms forms(fine, progress.silent(), Edges::intrinsic_delaunay);
@@ -117,7 +117,7 @@ Fingerprint fingerprint(const mesh::TriangleMesh& mesh, std::optional<LoopPair> 
     result.triangles.push_back(fine.surface.triangle_count());
     result.found = result.found && levels.back().found;
     if (4.0 * fine.surface.triangle_count() > most) break;
-    fine = mesh::refined(fine);
+    fine = surface::refined(fine);
   }
   const auto ring = [](const Level& one) -> const std::vector<double>& { return one.ring; };
   const auto disk = [](const Level& one) -> const std::vector<double>& { return one.disk; };

@@ -6,7 +6,7 @@
 
 namespace tetrarch::slit {
 
-std::vector<FlatPoint> flat_points(const mesh::Surface& surface,
+std::vector<FlatPoint> flat_points(const surface::Surface& surface,
                                    const std::vector<std::complex<double>>& position,
                                    const std::vector<std::complex<double>>& points) {
   std::vector<numeric::FlatTriangle> triangles;

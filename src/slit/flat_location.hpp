@@ -18,7 +18,7 @@ struct FlatPoint {
 
 /// Throws PreconditionError if all triangles are turned over. O(m log m + n log m) for m triangles and n
 /// points, as a rule.
-std::vector<FlatPoint> flat_points(const mesh::Surface& surface,
+std::vector<FlatPoint> flat_points(const surface::Surface& surface,
                                    const std::vector<std::complex<double>>& position,
                                    const std::vector<std::complex<double>>& points);
 

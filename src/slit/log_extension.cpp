@@ -13,13 +13,13 @@
 namespace tetrarch::slit {
 namespace {
 
-using mesh::Side;
+using surface::Side;
 
 /// Of each vertex of a loop the parameter on its curve.
 std::vector<double> parameters(const OneForms& forms, const SlitMap& map, int loop) {
   if (loop != map.outer && loop != map.inner) return slit_curve(forms, map.form.imaginary, loop).parameter;
   std::vector<double> t;
-  for (const mesh::SideEnd e : forms.loops()[loop].sides)
+  for (const surface::SideEnd e : forms.loops()[loop].sides)
     t.push_back(map.angle[forms.mesh().surface.vertex(e)]);
   return t;
 }
@@ -89,7 +89,7 @@ std::vector<std::size_t> small_circles(const std::vector<Circle>& circles) {
 }
 
 /// arg(z - center) minus the angle of a slit map, continued from vertex `start` along the mesh.
-std::vector<double> continued_turn(const mesh::Surface& surface, const SlitMap& map,
+std::vector<double> continued_turn(const surface::Surface& surface, const SlitMap& map,
                                    const std::vector<Complex>& z, Complex center, int start) {
   std::vector<std::vector<Side>> from(z.size());
   for (int s = 0; s < surface.side_count(); ++s) {
@@ -116,7 +116,7 @@ std::vector<double> continued_turn(const mesh::Surface& surface, const SlitMap& 
 
 Complex flux_through(const OneForms& forms, const std::vector<int>& loop_of, int loop,
                      const std::vector<Complex>& f) {
-  const mesh::Surface& surface = forms.solved_on();
+  const surface::Surface& surface = forms.solved_on();
   Complex sum = 0;
   for (int s = 0; s < surface.side_count(); ++s) {
     const int v = surface.from(Side(s));
@@ -138,7 +138,7 @@ Branch branch(const OneForms& forms, const SlitMap& map, const CircularMap& circ
   const int loop = circular.loop[k];
   const SlitMap own = slit_map(forms, map.outer, loop);
   const std::vector<Complex>& z = circular.position;
-  const mesh::Surface& surface = forms.mesh().surface;
+  const surface::Surface& surface = forms.mesh().surface;
   const int start = surface.vertex(forms.loops()[map.outer].sides.front());
   const std::vector<double> turn = continued_turn(surface, own, z, circle.center, start);
   std::vector<Complex> f(z.size());
@@ -149,7 +149,7 @@ Branch branch(const OneForms& forms, const SlitMap& map, const CircularMap& circ
   const bool is_short = slit.end - slit.start < short_slit;
   double first = 0;
   double before = 0;
-  for (const mesh::SideEnd e : forms.loops()[loop].sides) {
+  for (const surface::SideEnd e : forms.loops()[loop].sides) {
     const int v = surface.vertex(e);
     const double raw = std::arg(z[v] - circle.center) - own.angle[v];
     if (e == forms.loops()[loop].sides.front()) before = first = raw;
@@ -191,7 +191,7 @@ std::vector<Complex> extended_in_logs(const OneForms& forms, const SlitMap& map,
 void refine_branches(const OneForms& forms, const SlitMap& map, CircularMap& circular) {
   const std::vector<std::size_t> small = small_circles(circular.domain.circles);
   if (small.empty()) return;
-  const std::vector<int> loop_of = mesh::loops_of_vertices(forms.loops(), forms.mesh().surface);
+  const std::vector<int> loop_of = surface::loops_of_vertices(forms.loops(), forms.mesh().surface);
   std::vector<Branch> branches(1);
   for (const Complex z : circular.position) branches[0].log.push_back(std::log(z));
   for (const std::size_t k : small) branches.push_back(branch(forms, map, circular, k, loop_of));

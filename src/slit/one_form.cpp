@@ -3,15 +3,15 @@
 
 namespace tetrarch::slit {
 
-using mesh::Side;
+using surface::Side;
 
-OneForm differential(const mesh::Surface& surface, const std::vector<double>& f) {
+OneForm differential(const surface::Surface& surface, const std::vector<double>& f) {
   OneForm df(static_cast<std::size_t>(surface.side_count()));
   for (int k = 0; k < surface.side_count(); ++k) df[k] = f[surface.to(Side(k))] - f[surface.from(Side(k))];
   return df;
 }
 
-double wedge(const mesh::Surface& surface, const OneForm& a, const OneForm& b) {
+double wedge(const surface::Surface& surface, const OneForm& a, const OneForm& b) {
   double sum = 0;
   // Side 0 runs from corner 1 to 2, side 1 from corner 2 to 0.
   for (int t = 0; t < surface.triangle_count(); ++t) {
@@ -28,9 +28,9 @@ double inner_product(const std::vector<double>& weight, const OneForm& a, const 
   return sum;
 }
 
-double period(const OneForm& form, const mesh::BoundaryLoop& loop) {
+double period(const OneForm& form, const surface::BoundaryLoop& loop) {
   double sum = 0;
-  for (const mesh::SideEnd e : loop.sides) sum += e.at_start ? form[e.side.value] : -form[e.side.value];
+  for (const surface::SideEnd e : loop.sides) sum += e.at_start ? form[e.side.value] : -form[e.side.value];
   return sum;
 }
 

@@ -12,14 +12,14 @@
 namespace tetrarch::slit {
 namespace {
 
-using mesh::Side;
-using mesh::Surface;
-using Columns = mesh::LaplaceSolver::Columns;
+using surface::Side;
+using surface::Surface;
+using Columns = surface::LaplaceSolver::Columns;
 
 /// The loops of a sphere with holes. A mesh is connected, and only what cannot be oriented has turned sides.
-std::vector<mesh::BoundaryLoop> loops_of(const mesh::TriangleMesh& mesh) {
+std::vector<surface::BoundaryLoop> loops_of(const surface::TriangleMesh& mesh) {
   const Surface& surface = mesh.surface;
-  std::vector<mesh::BoundaryLoop> loops = mesh::boundary_loops(mesh);
+  std::vector<surface::BoundaryLoop> loops = surface::boundary_loops(mesh);
   int sides = surface.side_count();
   for (const auto& loop : loops) sides += static_cast<int>(loop.sides.size());
   SurfaceType type;
@@ -59,7 +59,7 @@ void require_memory(std::size_t loops, int vertices) {
 /// The solutions for right-hand sides 1 to n - 1, some at a time, so that a job can be stopped in between and
 /// no more of the right-hand sides than that are there at once. Number 0 is left empty.
 template <class RightSide>
-Columns solved_in_batches(const mesh::LaplaceSolver& solver, std::size_t n, const RightSide& right,
+Columns solved_in_batches(const surface::LaplaceSolver& solver, std::size_t n, const RightSide& right,
                           const Progress& progress, double from, double to) {
   constexpr std::size_t batch = 16;
   Columns result(1);
@@ -115,7 +115,7 @@ std::vector<std::vector<Side>> strips(const Surface& surface, const std::vector<
   std::vector<std::vector<Side>> strip(loops);
   std::size_t found = 1;
   for (std::size_t next = 0; found < loops; ++next)
-    for (const Side s : mesh::sides_of(queue[next])) {
+    for (const Side s : surface::sides_of(queue[next])) {
       if (const Side m = surface.mate(s); m.exists()) {
         if (entered[m.triangle()].exists()) continue;
         entered[m.triangle()] = m;
@@ -169,21 +169,21 @@ double product(const Surface& surface, const std::vector<double>& weight, const 
 
 } // namespace
 
-OneForms::OneForms(mesh::TriangleMesh mesh, const Progress& progress, Edges edges)
+OneForms::OneForms(surface::TriangleMesh mesh, const Progress& progress, Edges edges)
     : mesh_(std::move(mesh)), loops_(loops_of(mesh_)) {
   require_memory(loops_.size(), mesh_.surface.vertex_count());
-  const std::vector<int> loop_of = mesh::loops_of_vertices(loops_, mesh_.surface);
+  const std::vector<int> loop_of = surface::loops_of_vertices(loops_, mesh_.surface);
   strip_ = strips(mesh_.surface, loop_of, loops_.size(), start());
   std::vector<Jumps> jumping(loops_.size());
   if (edges == Edges::intrinsic_delaunay) {
     auto carried = jumps(mesh_.surface, start(), strip_);
-    intrinsic_ = mesh::intrinsic_delaunay(mesh_, &carried);
-    weight_ = mesh::half_cotangents(*intrinsic_);
+    intrinsic_ = surface::intrinsic_delaunay(mesh_, &carried);
+    weight_ = surface::half_cotangents(*intrinsic_);
     for (std::size_t k = 0; k < carried.size(); ++k)
       for (std::size_t s = 0; s < carried[k].size(); ++s)
         if (carried[k][s] != 0) jumping[k].emplace_back(Side(static_cast<int>(s)), carried[k][s]);
   } else {
-    weight_ = mesh::half_cotangents(mesh_);
+    weight_ = surface::half_cotangents(mesh_);
     for (std::size_t k = 0; k < strip_.size(); ++k)
       for_each_jump(mesh_.surface, start(), strip_[k],
                     [&](Side s, int jump) { jumping[k].emplace_back(s, jump); });
@@ -223,7 +223,7 @@ Columns OneForms::extended(const Columns& values) const {
     if (given.size() != mesh_.points.size()) throw PreconditionError("each vertex needs a value");
     data.emplace_back(given.size(), 0.0);
     for (const auto& loop : loops_)
-      for (const mesh::SideEnd e : loop.sides)
+      for (const surface::SideEnd e : loop.sides)
         data.back()[mesh_.surface.vertex(e)] = given[mesh_.surface.vertex(e)];
   }
   return solver_->solve(data);
@@ -244,7 +244,7 @@ std::vector<std::complex<double>> OneForms::extended(const std::vector<std::comp
 std::vector<double> OneForms::conjugate_along(int loop) const {
   const auto& sides = loops_[loop].sides;
   std::vector<double> result{0.0};
-  for (const mesh::SideEnd e : sides) {
+  for (const surface::SideEnd e : sides) {
     double step = 0;
     // Strips cross the boundary at their two ends only.
     for (int i = 1; i < loop_count(); ++i)

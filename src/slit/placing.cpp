@@ -5,10 +5,10 @@
 
 namespace tetrarch::slit {
 
-using mesh::Side;
+using surface::Side;
 using Complex = std::complex<double>;
 
-void shift_on_cylinder(const mesh::Surface& surface, SlitMap& map, const std::vector<Complex>& shift) {
+void shift_on_cylinder(const surface::Surface& surface, SlitMap& map, const std::vector<Complex>& shift) {
   for (std::size_t v = 0; v < shift.size(); ++v) {
     map.log_radius[v] += shift[v].real();
     map.angle[v] = wrapped(map.angle[v] + shift[v].imag());
@@ -22,8 +22,8 @@ void shift_on_cylinder(const mesh::Surface& surface, SlitMap& map, const std::ve
 
 void move_on_ring(const OneForms& forms, SlitMap& map, const std::vector<Complex>& before,
                   const std::vector<Complex>& now) {
-  const mesh::Surface& surface = forms.mesh().surface;
-  const std::vector<int> loop = mesh::loops_of_vertices(forms.loops(), surface);
+  const surface::Surface& surface = forms.mesh().surface;
+  const std::vector<int> loop = surface::loops_of_vertices(forms.loops(), surface);
   std::vector<Complex> shift(now.size(), 0.0);
   for (std::size_t v = 0; v < now.size(); ++v) {
     if (now[v] == before[v]) continue;

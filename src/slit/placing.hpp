@@ -11,7 +11,7 @@
 namespace tetrarch::slit {
 
 /// By a shift of w = log_radius + i angle of each vertex.
-void shift_on_cylinder(const mesh::Surface& surface, SlitMap& map,
+void shift_on_cylinder(const surface::Surface& surface, SlitMap& map,
                        const std::vector<std::complex<double>>& shift);
 
 /// From `before` to `now`, places in the ring. Those of loops keep their radius.

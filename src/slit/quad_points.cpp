@@ -115,7 +115,7 @@ void search_everywhere(Find& find, const Place& place, const std::vector<Tile>& 
       if (tiles[t].is_upright()) find.offer(tiles[t], static_cast<int>(t), {place[0] + turn, place[1]});
 }
 
-SpacePoint interpolated(const mesh::TriangleMesh& mesh, const Tile& tile, const Find& find) {
+SpacePoint interpolated(const surface::TriangleMesh& mesh, const Tile& tile, const Find& find) {
   std::array<double, 3> weight = tile.area(find.at);
   double sum = 0;
   for (double& w : weight) sum += w = std::max(w, 0.0);
@@ -152,11 +152,11 @@ std::vector<SpacePoint> reached(const Path& path, const std::vector<double>& ang
 
 /// The vertices of a loop in its order, with angles that do not jump.
 Path path_around(const OneForms& forms, const SlitMap& map, int loop) {
-  const mesh::TriangleMesh& mesh = forms.mesh();
+  const surface::TriangleMesh& mesh = forms.mesh();
   const auto& sides = forms.loops()[loop].sides;
   Path path;
   double angle = map.angle[mesh.surface.vertex(sides.front())];
-  for (const mesh::SideEnd e : sides) {
+  for (const surface::SideEnd e : sides) {
     path.add(angle, mesh.points[mesh.surface.vertex(e)]);
     angle += map.form.imaginary[e.side.value];
   }
@@ -195,7 +195,7 @@ private:
 
 } // namespace
 
-CrossingPoints crossing_points(const mesh::TriangleMesh& mesh, const SlitMap& map,
+CrossingPoints crossing_points(const surface::TriangleMesh& mesh, const SlitMap& map,
                                const std::vector<double>& angles, const std::vector<double>& heights) {
   std::vector<Tile> tiles;
   for (const auto& corners : parallel_domain(mesh.surface, map).corners) tiles.emplace_back(corners);

@@ -25,7 +25,7 @@ struct CrossingPoints {
   double outside = 0;             ///< as `QuadMesh` has it
 };
 /// `angles` ascending, less than a full turn in all; `heights` ascending.
-CrossingPoints crossing_points(const mesh::TriangleMesh& mesh, const SlitMap& map,
+CrossingPoints crossing_points(const surface::TriangleMesh& mesh, const SlitMap& map,
                                const std::vector<double>& angles, const std::vector<double>& heights);
 
 /// On the outer or the inner loop, at angles as above.

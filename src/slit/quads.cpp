@@ -207,7 +207,7 @@ std::vector<QuadEdge> edges(const QuadMesh& mesh) {
   return result;
 }
 
-double quads_around(const mesh::TriangleMesh& mesh, const SlitMap& map, double edge) {
+double quads_around(const surface::TriangleMesh& mesh, const SlitMap& map, double edge) {
   double area = 0;
   for (const auto& t : mesh.surface.triangles())
     area += length(cross(mesh.points[t[1]] - mesh.points[t[0]], mesh.points[t[2]] - mesh.points[t[0]])) / 2;

@@ -2,8 +2,8 @@
 #include "tetrarch/slit/quality.hpp"
 
 #include "full_turn.hpp"
-#include "tetrarch/mesh/laplacian.hpp"
 #include "tetrarch/numeric/flat_triangle.hpp"
+#include "tetrarch/surface/laplacian.hpp"
 
 #include <algorithm>
 #include <array>
@@ -14,7 +14,7 @@
 namespace tetrarch::slit {
 namespace {
 
-using mesh::Side;
+using surface::Side;
 using Complex = std::complex<double>;
 
 double angle_at(const numeric::FlatTriangle& p, int c) {
@@ -75,7 +75,8 @@ void measure_areas(Distortion& d, const std::vector<double>& area) {
 
 /// Of the triangles that are not `skipped`.
 template <class Image>
-Distortion distortion(const mesh::TriangleMesh& mesh, const std::vector<char>& skipped, const Image& image) {
+Distortion distortion(const surface::TriangleMesh& mesh, const std::vector<char>& skipped,
+                      const Image& image) {
   Distortion result;
   std::vector<double> shares(static_cast<std::size_t>(mesh.surface.triangle_count()), 0.0);
   double area = 0;
@@ -118,7 +119,7 @@ Distortion distortion(const mesh::TriangleMesh& mesh, const std::vector<char>& s
 }
 
 /// Those of all loops but one.
-std::vector<char> ears_of(const mesh::Surface& surface, const std::vector<int>& loop, int but) {
+std::vector<char> ears_of(const surface::Surface& surface, const std::vector<int>& loop, int but) {
   std::vector<char> result;
   for (const auto& v : surface.triangles())
     result.push_back(static_cast<char>(loop[v[0]] >= 0 && loop[v[0]] != but && loop[v[0]] == loop[v[1]] &&
@@ -129,12 +130,12 @@ std::vector<char> ears_of(const mesh::Surface& surface, const std::vector<int>& 
 } // namespace
 
 std::vector<char> ears(const OneForms& forms) {
-  return ears_of(forms.mesh().surface, mesh::loops_of_vertices(forms.loops(), forms.mesh().surface), -1);
+  return ears_of(forms.mesh().surface, surface::loops_of_vertices(forms.loops(), forms.mesh().surface), -1);
 }
 
-std::vector<char> ears_in_disk(const mesh::TriangleMesh& mesh, const CircularMap& map) {
-  const auto loops = mesh::boundary_loops(mesh);
-  return ears_of(mesh.surface, mesh::loops_of_vertices(loops, mesh.surface), map.loop.at(0));
+std::vector<char> ears_in_disk(const surface::TriangleMesh& mesh, const CircularMap& map) {
+  const auto loops = surface::boundary_loops(mesh);
+  return ears_of(mesh.surface, surface::loops_of_vertices(loops, mesh.surface), map.loop.at(0));
 }
 
 Distortion distortion_on_cylinder(const OneForms& forms, const SlitMap& map) {
@@ -153,7 +154,7 @@ Distortion distortion_on_ring(const OneForms& forms, const SlitMap& map) {
 
 namespace {
 
-Distortion distortion_in_plane(const mesh::TriangleMesh& mesh, const std::vector<char>& skipped,
+Distortion distortion_in_plane(const surface::TriangleMesh& mesh, const std::vector<char>& skipped,
                                const std::vector<Complex>& position) {
   return distortion(mesh, skipped, [&](int t) {
     const auto& v = mesh.surface.corners(t);
@@ -163,19 +164,19 @@ Distortion distortion_in_plane(const mesh::TriangleMesh& mesh, const std::vector
 
 } // namespace
 
-Distortion distortion_in_plane(const mesh::TriangleMesh& mesh, const std::vector<Complex>& position) {
+Distortion distortion_in_plane(const surface::TriangleMesh& mesh, const std::vector<Complex>& position) {
   return distortion_in_plane(mesh, std::vector<char>(static_cast<std::size_t>(mesh.surface.triangle_count())),
                              position);
 }
 
-Distortion distortion_in_disk(const mesh::TriangleMesh& mesh, const CircularMap& map) {
+Distortion distortion_in_disk(const surface::TriangleMesh& mesh, const CircularMap& map) {
   return distortion_in_plane(mesh, ears_in_disk(mesh, map), map.position);
 }
 
 Residuals residuals(const OneForms& forms, const SlitMap& map) {
-  const mesh::Surface& surface = forms.mesh().surface;
-  const std::vector<int> loop = mesh::loops_of_vertices(forms.loops(), surface);
-  const std::vector<double> flux = mesh::fluxes(forms.solved_on(), forms.weight(), map.log_radius);
+  const surface::Surface& surface = forms.mesh().surface;
+  const std::vector<int> loop = surface::loops_of_vertices(forms.loops(), surface);
+  const std::vector<double> flux = surface::fluxes(forms.solved_on(), forms.weight(), map.log_radius);
   std::vector<double> through(static_cast<std::size_t>(forms.loop_count()), 0.0);
   Residuals result;
   for (int v = 0; v < surface.vertex_count(); ++v)
@@ -188,9 +189,10 @@ Residuals residuals(const OneForms& forms, const SlitMap& map) {
     const double found = period(map.form.imaginary, forms.loops()[k]);
     raise_to(result.period, std::abs(found - wanted));
     raise_to(result.flux, std::abs(through[k] - wanted));
-    const auto radius = [&](mesh::SideEnd e) { return std::abs(map.concentric(surface.vertex(e))); };
+    const auto radius = [&](surface::SideEnd e) { return std::abs(map.concentric(surface.vertex(e))); };
     const auto& sides = forms.loops()[k].sides;
-    for (const mesh::SideEnd e : sides) raise_to(result.radius, std::abs(radius(e) - radius(sides.front())));
+    for (const surface::SideEnd e : sides)
+      raise_to(result.radius, std::abs(radius(e) - radius(sides.front())));
   }
   return result;
 }

@@ -14,14 +14,14 @@ namespace {
 using namespace numeric;
 using Complex = std::complex<double>;
 
-std::vector<int> vertices_of(const mesh::Surface& surface, const mesh::BoundaryLoop& loop) {
+std::vector<int> vertices_of(const surface::Surface& surface, const surface::BoundaryLoop& loop) {
   std::vector<int> result;
-  for (const mesh::SideEnd e : loop.sides) result.push_back(surface.vertex(e));
+  for (const surface::SideEnd e : loop.sides) result.push_back(surface.vertex(e));
   return result;
 }
 
 /// Of each vertex of the loop pi less the angles there, in space.
-std::vector<double> turning_angles(const mesh::TriangleMesh& mesh, const std::vector<int>& loop) {
+std::vector<double> turning_angles(const surface::TriangleMesh& mesh, const std::vector<int>& loop) {
   std::vector<double> angles(mesh.points.size(), 0.0);
   for (const auto& t : mesh.surface.triangles())
     for (std::size_t c = 0; c < 3; ++c) {
@@ -43,7 +43,7 @@ bool have_neighbors(const std::array<std::size_t, 4>& places, std::size_t size) 
 
 } // namespace
 
-std::array<int, 4> corners_of(const mesh::TriangleMesh& mesh, const mesh::BoundaryLoop& loop) {
+std::array<int, 4> corners_of(const surface::TriangleMesh& mesh, const surface::BoundaryLoop& loop) {
   const std::vector<int> vertices = vertices_of(mesh.surface, loop);
   const std::size_t n = vertices.size();
   constexpr std::size_t fewest = 8;
@@ -73,11 +73,11 @@ std::array<int, 4> corners_of(const mesh::TriangleMesh& mesh, const mesh::Bounda
   return {vertices[places[0]], vertices[places[1]], vertices[places[2]], vertices[places[3]]};
 }
 
-std::vector<std::array<int, 4>> rectangle_hints(const mesh::TriangleMesh& mesh,
+std::vector<std::array<int, 4>> rectangle_hints(const surface::TriangleMesh& mesh,
                                                 const std::array<int, 4>& outer, const RicciOptions& options,
                                                 const Progress& progress) {
-  const auto loops = mesh::boundary_loops(mesh);
-  const int loop = mesh::loop_through(loops, mesh.surface, outer[0]);
+  const auto loops = surface::boundary_loops(mesh);
+  const int loop = surface::loop_through(loops, mesh.surface, outer[0]);
   if (loop < 0)
     throw InputError("vertex " + std::to_string(outer[0]) + " (counted from 0) is not on the boundary");
   std::vector<std::array<int, 4>> result{outer};

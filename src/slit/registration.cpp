@@ -32,7 +32,7 @@ SpacePoint space_point(const Vector3d& p) {
   return {p[0], p[1], p[2]};
 }
 
-SpacePoint point_at(const mesh::TriangleMesh& mesh, const MeshPoint& at) {
+SpacePoint point_at(const surface::TriangleMesh& mesh, const MeshPoint& at) {
   Vector3d result = Vector3d::Zero();
   for (std::size_t c = 0; c < 3; ++c)
     result += at.weight[c] * vector(mesh.points[mesh.surface.corners(at.triangle)[c]]);
@@ -42,7 +42,7 @@ SpacePoint point_at(const mesh::TriangleMesh& mesh, const MeshPoint& at) {
 /// A loop of a mesh, laid round a circle, where its edges are chords.
 class RoundLoop {
 public:
-  RoundLoop(const mesh::TriangleMesh& mesh, const mesh::BoundaryLoop& loop, const CircularMap& map,
+  RoundLoop(const surface::TriangleMesh& mesh, const surface::BoundaryLoop& loop, const CircularMap& map,
             std::size_t curve)
       : mesh_(mesh), sides_(loop.sides), center_(map.domain.circles[curve].center),
         // The surface lies to the left.
@@ -74,7 +74,7 @@ public:
                         : after <= 0 ? 1
                         : has_chord  ? std::sin(before) / (std::sin(before) + std::sin(after))
                                      : before / (before + after);
-    const mesh::SideEnd e = sides_[static_cast<std::size_t>(next - angle_.begin()) - 1];
+    const surface::SideEnd e = sides_[static_cast<std::size_t>(next - angle_.begin()) - 1];
     MeshPoint result{e.side.triangle(), {}};
     result.weight[e.corner()] = 1 - part;
     result.weight[3 - e.corner() - e.side.corner()] = part;
@@ -83,8 +83,8 @@ public:
   Vector3d point(double angle) const { return vector(point_at(mesh_, at(angle))); }
 
 private:
-  const mesh::TriangleMesh& mesh_;
-  const std::vector<mesh::SideEnd>& sides_;
+  const surface::TriangleMesh& mesh_;
+  const std::vector<surface::SideEnd>& sides_;
   Complex center_;
   int sense_;
   /// At the starts of the sides and once round, times the sense: never falling.
@@ -92,8 +92,8 @@ private:
 };
 
 /// By number of the loop.
-std::vector<RoundLoop> round_loops(const mesh::TriangleMesh& mesh,
-                                   const std::vector<mesh::BoundaryLoop>& loops, const CircularMap& map) {
+std::vector<RoundLoop> round_loops(const surface::TriangleMesh& mesh,
+                                   const std::vector<surface::BoundaryLoop>& loops, const CircularMap& map) {
   std::vector<RoundLoop> result;
   for (int k = 0; k < static_cast<int>(loops.size()); ++k) {
     const auto curve = std::find(map.loop.begin(), map.loop.end(), k);
@@ -223,11 +223,11 @@ std::vector<int> checked_matching(const OneForms& a, const CircularMap& map_a, s
 /// 0 if both surfaces are the same, and whose errors are relative to |z| on long surfaces.
 std::vector<Complex> carried_over(const OneForms& forms, const CircularMap& map,
                                   const std::vector<RoundLoop>& a, const std::vector<const RoundLoop*>& b,
-                                  const mesh::Surface& surface, const std::vector<Complex>& target,
+                                  const surface::Surface& surface, const std::vector<Complex>& target,
                                   double turn) {
   std::vector<Complex> places(forms.mesh().points.size());
   for (std::size_t k = 0; k < a.size(); ++k)
-    for (const mesh::SideEnd e : forms.loops()[k].sides) {
+    for (const surface::SideEnd e : forms.loops()[k].sides) {
       const int v = forms.mesh().surface.vertex(e);
       const MeshPoint at = b[k]->at(a[k].angle_of(map.position[v]) + turn);
       Complex place = 0;
@@ -251,7 +251,7 @@ void unflip(const OneForms& forms, const CircularMap& map_a, const CircularMap& 
   result.position = image.position;
 }
 
-void locate(const OneForms& forms, const std::vector<const RoundLoop*>& loops, const mesh::TriangleMesh& b,
+void locate(const OneForms& forms, const std::vector<const RoundLoop*>& loops, const surface::TriangleMesh& b,
             const std::vector<Complex>& target, Registration& result) {
   // Above rounding errors, far below the size of triangles.
   constexpr double margin = 1e-12;
@@ -262,7 +262,7 @@ void locate(const OneForms& forms, const std::vector<const RoundLoop*>& loops, c
   }
   // Loops stay on loops, even where triangles are turned over there.
   for (std::size_t k = 0; k < loops.size(); ++k)
-    for (const mesh::SideEnd e : forms.loops()[k].sides) {
+    for (const surface::SideEnd e : forms.loops()[k].sides) {
       const int v = forms.mesh().surface.vertex(e);
       result.at[v] = loops[k]->at(loops[k]->angle_of(result.position[v]));
     }
@@ -276,13 +276,13 @@ bool is_flat(const numeric::FlatTriangle& p) {
 }
 
 /// Round holes have no room for ears: these are not called flipped.
-std::vector<int> flipped_in_disk(const mesh::TriangleMesh& a, const CircularMap& map_a,
+std::vector<int> flipped_in_disk(const surface::TriangleMesh& a, const CircularMap& map_a,
                                  const std::vector<Complex>& position) {
   return distortion_in_disk(a, {map_a.loop, {}, position}).flipped;
 }
 
 /// Returns for each vertex a third of the area of the triangles around it.
-Eigen::VectorXd measure_distortion(const mesh::TriangleMesh& a, Registration& result) {
+Eigen::VectorXd measure_distortion(const surface::TriangleMesh& a, Registration& result) {
   std::vector<char> is_flipped(static_cast<std::size_t>(a.surface.triangle_count()), 0);
   for (const int t : result.flipped) is_flipped[t] = 1;
   Eigen::VectorXd share = Eigen::VectorXd::Zero(a.surface.vertex_count());
@@ -311,7 +311,8 @@ Eigen::MatrixX3d rows(const std::vector<SpacePoint>& points) {
   return result;
 }
 
-void compare(const mesh::TriangleMesh& a, const Eigen::VectorXd& share, bool aligned, Registration& result) {
+void compare(const surface::TriangleMesh& a, const Eigen::VectorXd& share, bool aligned,
+             Registration& result) {
   BestMotion motion;
   if (aligned) motion = BestMotion::of(rows(result.resampled), rows(a.points), share);
   for (int i = 0; i < 3; ++i) {
@@ -331,9 +332,9 @@ void compare(const mesh::TriangleMesh& a, const Eigen::VectorXd& share, bool ali
 
 } // namespace
 
-Registration registered(const OneForms& a, const CircularMap& map_a, const mesh::TriangleMesh& b,
+Registration registered(const OneForms& a, const CircularMap& map_a, const surface::TriangleMesh& b,
                         const CircularMap& map_b, const RegistrationOptions& options) {
-  const std::vector<mesh::BoundaryLoop> loops_b = mesh::boundary_loops(b);
+  const std::vector<surface::BoundaryLoop> loops_b = surface::boundary_loops(b);
   const std::vector<int> matching = checked_matching(a, map_a, loops_b.size(), map_b, options.matching);
   const std::vector<RoundLoop> from = round_loops(a.mesh(), a.loops(), map_a);
   const std::vector<RoundLoop> onto = round_loops(b, loops_b, map_b);

@@ -15,9 +15,9 @@ namespace tetrarch::slit {
 namespace {
 
 using Complex = std::complex<double>;
-using mesh::Side;
+using surface::Side;
 
-void check(const mesh::TriangleMesh& mesh, const Curvatures& curvatures, const std::vector<Side>& out) {
+void check(const surface::TriangleMesh& mesh, const Curvatures& curvatures, const std::vector<Side>& out) {
   const auto vertices = static_cast<std::size_t>(mesh.surface.vertex_count());
   if (curvatures.at.size() != vertices) throw PreconditionError("each vertex needs a curvature");
   if (!curvatures.held.empty() && curvatures.held.size() != vertices)
@@ -49,9 +49,9 @@ void check(const mesh::TriangleMesh& mesh, const Curvatures& curvatures, const s
 
 } // namespace
 
-ScaledMetric scaled_metric(const mesh::TriangleMesh& mesh, const Curvatures& curvatures,
+ScaledMetric scaled_metric(const surface::TriangleMesh& mesh, const Curvatures& curvatures,
                            const RicciOptions& options, const Progress& progress) {
-  mesh::IntrinsicTriangulation start = mesh::intrinsic_delaunay(mesh);
+  surface::IntrinsicTriangulation start = surface::intrinsic_delaunay(mesh);
   check(mesh, curvatures, boundary_sides(mesh.surface));
   std::vector<char> held = curvatures.held;
   held.resize(curvatures.at.size(), 0);
@@ -63,8 +63,8 @@ ScaledMetric scaled_metric(const mesh::TriangleMesh& mesh, const Curvatures& cur
   return result;
 }
 
-Layout laid_out(const mesh::IntrinsicTriangulation& metric) {
-  const mesh::Surface& surface = metric.surface;
+Layout laid_out(const surface::IntrinsicTriangulation& metric) {
+  const surface::Surface& surface = metric.surface;
   const auto start = [](Side s) { return s.next().value; };
   const auto end = [](Side s) { return s.previous().value; };
   Layout out;
@@ -80,7 +80,7 @@ Layout laid_out(const mesh::IntrinsicTriangulation& metric) {
   out.corner[end(Side(0))] = metric.length[0];
   place_apex(Side(0));
   for (std::size_t next = 0; next < queue.size(); ++next)
-    for (const Side s : mesh::sides_of(queue[next])) {
+    for (const Side s : surface::sides_of(queue[next])) {
       const Side m = surface.mate(s);
       if (!m.exists() || std::exchange(placed[m.triangle()], 1)) continue;
       out.corner[start(m)] = out.corner[end(s)];
@@ -97,7 +97,7 @@ Layout laid_out(const mesh::IntrinsicTriangulation& metric) {
   return out;
 }
 
-Holonomy holonomy(const mesh::IntrinsicTriangulation& metric, int vertex) {
+Holonomy holonomy(const surface::IntrinsicTriangulation& metric, int vertex) {
   const std::vector<Side> out = boundary_sides(metric.surface);
   if (vertex < 0 || vertex >= metric.surface.vertex_count() || !out[vertex].exists())
     throw InputError("vertex " + std::to_string(vertex) + " (counted from 0) is not on the boundary");
@@ -141,10 +141,10 @@ Circle fitted(const std::vector<Complex>& points) {
   return circle;
 }
 
-std::vector<Complex> points_of(const mesh::Surface& surface, const mesh::BoundaryLoop& loop,
+std::vector<Complex> points_of(const surface::Surface& surface, const surface::BoundaryLoop& loop,
                                const std::vector<Complex>& position) {
   std::vector<Complex> points;
-  for (const mesh::SideEnd e : loop.sides) points.push_back(position[surface.vertex(e)]);
+  for (const surface::SideEnd e : loop.sides) points.push_back(position[surface.vertex(e)]);
   return points;
 }
 
@@ -154,19 +154,19 @@ std::vector<Complex> points_of(const mesh::Surface& surface, const mesh::Boundar
 struct Opened {
   int vertex = -1;
   std::vector<int> link; ///< the vertices around it, from the next on the loop to the one before
-  mesh::IntrinsicTriangulation rest;
+  surface::IntrinsicTriangulation rest;
   std::vector<int> in_rest; ///< of each vertex its name there; -1 for the one that is gone
 };
 
 /// The sides of the triangles around the vertex at which boundary side s starts, those that start there.
-std::vector<Side> spokes(const mesh::Surface& surface, Side s) {
+std::vector<Side> spokes(const surface::Surface& surface, Side s) {
   std::vector<Side> result;
   for (; s.exists(); s = surface.mate(s.previous())) result.push_back(s);
   return result;
 }
 
 /// Whether the vertex with these spokes can go without anything falling apart.
-bool can_go(const mesh::Surface& surface, const std::vector<Side>& around, const std::vector<Side>& out) {
+bool can_go(const surface::Surface& surface, const std::vector<Side>& around, const std::vector<Side>& out) {
   std::vector<int> link;
   for (const Side s : around) {
     if (s != around.front() && out[surface.to(s)].exists()) return false;
@@ -180,12 +180,13 @@ bool can_go(const mesh::Surface& surface, const std::vector<Side>& around, const
 }
 
 /// Takes the triangles at the spokes away.
-void remove_star(const mesh::IntrinsicTriangulation& whole, const std::vector<Side>& around, Opened& open) {
-  mesh::Surface surface = whole.surface;
+void remove_star(const surface::IntrinsicTriangulation& whole, const std::vector<Side>& around,
+                 Opened& open) {
+  surface::Surface surface = whole.surface;
   for (const Side s : around)
     if (surface.mate(s.next()).exists()) surface.unglue(s.next());
-  const mesh::Parts parts = mesh::parts(surface);
-  for (const mesh::Part& part : mesh::split(surface, parts)) {
+  const surface::Parts parts = surface::parts(surface);
+  for (const surface::Part& part : surface::split(surface, parts)) {
     if (parts.of[part.triangles.front()] == parts.of[around.front().triangle()]) continue;
     open.rest.surface = part.surface;
     for (int k = 0; k < part.surface.side_count(); ++k) {
@@ -196,14 +197,14 @@ void remove_star(const mesh::IntrinsicTriangulation& whole, const std::vector<Si
   }
 }
 
-Opened opened(const mesh::TriangleMesh& mesh, const mesh::BoundaryLoop& outer) {
-  const mesh::IntrinsicTriangulation whole = mesh::intrinsic_delaunay(mesh);
-  const mesh::Surface& surface = whole.surface;
+Opened opened(const surface::TriangleMesh& mesh, const surface::BoundaryLoop& outer) {
+  const surface::IntrinsicTriangulation whole = surface::intrinsic_delaunay(mesh);
+  const surface::Surface& surface = whole.surface;
   const std::vector<Side> out = boundary_sides(surface);
   Opened open;
   open.in_rest.assign(mesh.points.size(), -1);
   std::vector<Side> around;
-  for (const mesh::SideEnd e : outer.sides) {
+  for (const surface::SideEnd e : outer.sides) {
     around = spokes(surface, out[mesh.surface.vertex(e)]);
     if (!can_go(surface, around, out)) continue;
     open.vertex = mesh.surface.vertex(e);
@@ -241,8 +242,8 @@ std::vector<Complex> in_disk(const Opened& open, const std::vector<Complex>& hal
   return position;
 }
 
-void check_loops(const mesh::TriangleMesh& mesh, int loops, int outer, int inner) {
-  const SurfaceType type = mesh::type_of(mesh.surface);
+void check_loops(const surface::TriangleMesh& mesh, int loops, int outer, int inner) {
+  const SurfaceType type = surface::type_of(mesh.surface);
   if (!type.orientable || loops == 0 || type.euler != 2 - loops)
     throw InputError("a circular domain needs a sphere with holes, but this surface has type " + type.str());
   const bool is_disk = loops == 1;
@@ -260,7 +261,7 @@ std::vector<int> in_order(int loops, int outer, int inner) {
 }
 
 /// The rest of the surface in the half-plane to the left of the real axis, on which the outer loop lies.
-std::vector<Complex> in_half_plane(const Opened& open, const mesh::IntrinsicTriangulation& metric) {
+std::vector<Complex> in_half_plane(const Opened& open, const surface::IntrinsicTriangulation& metric) {
   std::vector<Complex> position = laid_out(metric).position;
   const Complex first = position[open.in_rest[open.link.front()]];
   const Complex along = position[open.in_rest[open.link.back()]] - first;
@@ -269,15 +270,15 @@ std::vector<Complex> in_half_plane(const Opened& open, const mesh::IntrinsicTria
 }
 
 /// The point of the half-plane that is to be the centre of the disk.
-Complex center_of_disk(const mesh::TriangleMesh& mesh, const mesh::BoundaryLoop* inner, const Opened& open,
-                       const std::vector<Complex>& half_plane) {
+Complex center_of_disk(const surface::TriangleMesh& mesh, const surface::BoundaryLoop* inner,
+                       const Opened& open, const std::vector<Complex>& half_plane) {
   if (!inner) {
     const int center = innermost_vertex(mesh);
     if (center < 0) throw InputError("the disk has no interior vertex");
     return half_plane[open.in_rest[center]];
   }
   std::vector<Complex> points;
-  for (const mesh::SideEnd e : inner->sides)
+  for (const surface::SideEnd e : inner->sides)
     points.push_back(half_plane[open.in_rest[mesh.surface.vertex(e)]]);
   const Circle circle = fitted(points);
   // The hyperbolic centre. Where no metric was found the circle may cross the axis.
@@ -288,9 +289,9 @@ Complex center_of_disk(const mesh::TriangleMesh& mesh, const mesh::BoundaryLoop*
 
 } // namespace
 
-RicciCircles ricci_circles(const mesh::TriangleMesh& mesh, int outer, int inner, const RicciOptions& options,
-                           const Progress& progress) {
-  const auto loops = mesh::boundary_loops(mesh);
+RicciCircles ricci_circles(const surface::TriangleMesh& mesh, int outer, int inner,
+                           const RicciOptions& options, const Progress& progress) {
+  const auto loops = surface::boundary_loops(mesh);
   const int count = static_cast<int>(loops.size());
   check_loops(mesh, count, outer, inner);
   const Opened open = opened(mesh, loops[outer]);

@@ -14,7 +14,7 @@ namespace tetrarch::slit {
 namespace {
 
 using Complex = std::complex<double>;
-using mesh::Side;
+using surface::Side;
 
 constexpr double quarter_turn = full_turn / 4;
 
@@ -35,7 +35,7 @@ struct CornerLoop {
   }
 };
 
-CornerLoop corner_loop(const mesh::Surface& surface, const std::vector<Side>& out,
+CornerLoop corner_loop(const surface::Surface& surface, const std::vector<Side>& out,
                        const std::array<int, 4>& hints) {
   CornerLoop loop;
   const int first = hints[0];
@@ -62,7 +62,7 @@ CornerLoop corner_loop(const mesh::Surface& surface, const std::vector<Side>& ou
 
 class RectangleSearch {
 public:
-  RectangleSearch(const mesh::IntrinsicTriangulation& start, std::vector<CornerLoop> loops,
+  RectangleSearch(const surface::IntrinsicTriangulation& start, std::vector<CornerLoop> loops,
                   const RectangleOptions& options, const Progress& progress)
       : scaling_(start, first_held(start.surface.vertex_count())), loops_(std::move(loops)),
         options_(options), progress_(progress) {}
@@ -105,7 +105,7 @@ private:
 
   /// Of each hole: how far it is from closing, x and y, in circumferences; and how its first full side after
   /// corner 0 lies to the outer rectangle, up to right angles.
-  Eigen::VectorXd defects(const mesh::IntrinsicTriangulation& metric) const {
+  Eigen::VectorXd defects(const surface::IntrinsicTriangulation& metric) const {
     const std::vector<Side> out = boundary_sides(metric.surface);
     const std::vector<double> curvature = curvatures_of(metric);
     const std::vector<Complex> corner = laid_out(metric).corner;
@@ -160,7 +160,7 @@ private:
       std::vector<double> moved = scaling_.log_scale();
       for (std::size_t v = 0; v < moved.size(); ++v)
         moved[v] += little * changes[static_cast<std::size_t>(k)][v];
-      mesh::IntrinsicTriangulation metric = scaling_.metric();
+      surface::IntrinsicTriangulation metric = scaling_.metric();
       metric.length = scaling_.lengths(moved);
       Eigen::VectorXd change = defects(metric) - defect;
       for (Eigen::Index h = 0; h < holes(); ++h)
@@ -234,19 +234,20 @@ private:
 
 } // namespace
 
-RicciRectangles ricci_rectangles(const mesh::TriangleMesh& mesh, const std::vector<std::array<int, 4>>& hints,
+RicciRectangles ricci_rectangles(const surface::TriangleMesh& mesh,
+                                 const std::vector<std::array<int, 4>>& hints,
                                  const RectangleOptions& options, const Progress& progress) {
-  const SurfaceType type = mesh::type_of(mesh.surface);
-  const auto loops = mesh::boundary_loops(mesh);
+  const SurfaceType type = surface::type_of(mesh.surface);
+  const auto loops = surface::boundary_loops(mesh);
   if (!type.orientable || loops.empty() || type.euler != 2 - static_cast<int>(loops.size()))
     throw InputError("a rectangle with holes needs a sphere with holes, but this surface has type " +
                      type.str());
   if (hints.size() != loops.size())
     throw InputError("each of the " + std::to_string(loops.size()) + " loops needs its four corners, not " +
                      std::to_string(hints.size()) + " of them");
-  const mesh::IntrinsicTriangulation start = mesh::intrinsic_delaunay(mesh);
+  const surface::IntrinsicTriangulation start = surface::intrinsic_delaunay(mesh);
   const std::vector<Side> out = boundary_sides(mesh.surface);
-  const std::vector<int> loop_of = mesh::loops_of_vertices(loops, mesh.surface);
+  const std::vector<int> loop_of = surface::loops_of_vertices(loops, mesh.surface);
   std::vector<char> met(loops.size(), 0);
   std::vector<CornerLoop> corners;
   for (const auto& hint : hints) {

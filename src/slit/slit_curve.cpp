@@ -38,7 +38,7 @@ SlitCurve slit_curve(const OneForms& forms, const OneForm& angle, int loop) {
   const std::vector<double> flow = forms.conjugate_along(loop);
   std::vector<double> psi; // rises along the loop
   std::vector<double> at{0.0};
-  for (const mesh::SideEnd e : forms.loops()[loop].sides) {
+  for (const surface::SideEnd e : forms.loops()[loop].sides) {
     psi.push_back(full_turn * flow[psi.size()] / flow.back());
     at.push_back(at.back() + angle[e.side.value]);
   }

@@ -13,9 +13,9 @@
 namespace tetrarch::slit {
 namespace {
 
-using mesh::Side;
-using mesh::SideEnd;
-using mesh::Surface;
+using surface::Side;
+using surface::SideEnd;
+using surface::Surface;
 using Complex = std::complex<double>;
 using numeric::FlatTriangle;
 using unfold::FlatFreedom;
@@ -38,7 +38,7 @@ std::vector<int> around(const Surface& surface, SideEnd at) {
   for (int ring = 0; ring < relaxed_rings; ++ring) {
     std::vector<SideEnd> next;
     for (const SideEnd center : front)
-      for (const SideEnd e : mesh::fan(surface, center)) {
+      for (const SideEnd e : surface::fan(surface, center)) {
         const int t = e.side.triangle();
         if (!triangles.emplace(t, true).second) continue;
         for (int c = 0; c < 3; ++c)
@@ -145,7 +145,7 @@ public:
   }
 
   int vertex(int k) const { return vertex_[static_cast<std::size_t>(k)]; }
-  std::vector<SideEnd> fan(std::size_t k) const { return mesh::fan(surface_, at_[k]); }
+  std::vector<SideEnd> fan(std::size_t k) const { return surface::fan(surface_, at_[k]); }
 
 private:
   const Surface& surface_;
@@ -185,7 +185,7 @@ void soften(const OneForms& forms, SlitMap& map, const std::vector<int>& loop, S
   std::map<int, Complex> sides;
   std::map<int, Complex> vertices;
   for (const int t : triangles)
-    for (const Side side : mesh::sides_of(t)) {
+    for (const Side side : surface::sides_of(t)) {
       const int v = surface.from(side);
       sides[side.value] = {map.form.real[side.value], map.form.imaginary[side.value]};
       vertices[v] = {map.log_radius[v], map.angle[v]};
@@ -225,7 +225,7 @@ Softened soften_all(const OneForms& forms, SlitMap& map, const std::vector<int>&
 } // namespace
 
 Softened soften_ends_on_cylinder(const OneForms& forms, SlitMap& map) {
-  const std::vector<int> loop = mesh::loops_of_vertices(forms.loops(), forms.mesh().surface);
+  const std::vector<int> loop = surface::loops_of_vertices(forms.loops(), forms.mesh().surface);
   Domain domain;
   domain.image = [&](int t) {
     const auto value = [&](Side s) { return Complex(map.form.real[s.value], map.form.imaginary[s.value]); };
@@ -237,7 +237,7 @@ Softened soften_ends_on_cylinder(const OneForms& forms, SlitMap& map) {
 }
 
 Softened soften_ends_on_ring(const OneForms& forms, SlitMap& map) {
-  const std::vector<int> loop = mesh::loops_of_vertices(forms.loops(), forms.mesh().surface);
+  const std::vector<int> loop = surface::loops_of_vertices(forms.loops(), forms.mesh().surface);
   Domain domain;
   domain.image = [&](int t) {
     const auto& v = forms.mesh().surface.corners(t);

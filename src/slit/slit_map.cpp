@@ -13,8 +13,8 @@
 namespace tetrarch::slit {
 namespace {
 
-using mesh::Side;
-using mesh::SideEnd;
+using surface::Side;
+using surface::SideEnd;
 
 /// The values of log r on the loops for which the fluxes are 2 pi, -2 pi and 0 (equation 2.1).
 std::vector<double> heights(const OneForms& forms, int outer, int inner) {
@@ -30,7 +30,7 @@ std::vector<double> heights(const OneForms& forms, int outer, int inner) {
 }
 
 /// The angle at each start of the sides of a loop, from 0 on.
-std::vector<double> unrolled(const OneForm& angle, const mesh::BoundaryLoop& loop) {
+std::vector<double> unrolled(const OneForm& angle, const surface::BoundaryLoop& loop) {
   std::vector<double> at{0.0};
   for (const SideEnd e : loop.sides) at.push_back(at.back() + angle[e.side.value]);
   at.pop_back();
@@ -85,7 +85,7 @@ SlitMap slit_map(const OneForms& forms, int outer, int inner) {
                        std::to_string(forms.loop_count() - 1));
   if (outer == inner)
     throw InputError("the outer and the inner loop must differ, but both are " + std::to_string(outer));
-  const mesh::Surface& surface = forms.mesh().surface;
+  const surface::Surface& surface = forms.mesh().surface;
   SlitMap map;
   map.outer = outer;
   map.inner = inner;
@@ -152,7 +152,7 @@ LoopPair farthest_loops(const OneForms& forms) {
   return best;
 }
 
-ParallelDomain parallel_domain(const mesh::Surface& surface, const SlitMap& map) {
+ParallelDomain parallel_domain(const surface::Surface& surface, const SlitMap& map) {
   ParallelDomain domain;
   domain.corners.resize(static_cast<std::size_t>(surface.triangle_count()));
   for (int t = 0; t < surface.triangle_count(); ++t) {

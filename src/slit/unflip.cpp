@@ -18,8 +18,8 @@
 namespace tetrarch::slit {
 namespace {
 
-using mesh::Side;
-using mesh::Surface;
+using surface::Side;
+using surface::Surface;
 using Complex = std::complex<double>;
 
 constexpr int most_sweeps = 100;
@@ -91,7 +91,7 @@ public:
   };
 
   /// Only the `judged` triangles are to be set right.
-  Drawing(const mesh::TriangleMesh& mesh, std::vector<Complex> along, std::vector<char> skipped,
+  Drawing(const surface::TriangleMesh& mesh, std::vector<Complex> along, std::vector<char> skipped,
           std::vector<int> judged)
       : surface_(mesh.surface), points_(mesh.points), along_(std::move(along)), skipped_(std::move(skipped)),
         judged_(std::move(judged)), width_(skipped_.size(), 0.0),
@@ -154,7 +154,7 @@ private:
   bool is_flipped(int t, double factor) const {
     if (skipped_[t]) return false;
     double longest = 0;
-    for (const Side s : mesh::sides_of(t)) longest = std::max(longest, std::abs(along_[s.value]));
+    for (const Side s : surface::sides_of(t)) longest = std::max(longest, std::abs(along_[s.value]));
     const double width =
         numeric::cross(along_[Side(t, 2).value] / longest, -along_[Side(t, 1).value] / longest);
     return !(width > factor * width_[t]);
@@ -270,14 +270,15 @@ private:
     for (std::size_t done = 0; rings > 0; --rings) {
       const std::size_t until = result.size();
       for (; done < until; ++done)
-        for (const mesh::SideEnd e : mesh::fan(surface_, some_end_[result[done]])) add(e.side.triangle());
+        for (const surface::SideEnd e : surface::fan(surface_, some_end_[result[done]]))
+          add(e.side.triangle());
     }
     return result;
   }
 
   std::vector<Wall> walls(int v) const {
     std::vector<Wall> result;
-    for (const mesh::SideEnd e : mesh::fan(surface_, some_end_[v])) {
+    for (const surface::SideEnd e : surface::fan(surface_, some_end_[v])) {
       const int t = e.side.triangle();
       if (skipped_[t]) continue;
       const Side opposite(t, e.corner());
@@ -316,7 +317,7 @@ private:
   }
 
   void move(int v, Complex step) {
-    for (const mesh::SideEnd e : mesh::fan(surface_, some_end_[v])) {
+    for (const surface::SideEnd e : surface::fan(surface_, some_end_[v])) {
       const Side opposite(e.side.triangle(), e.corner());
       along_[opposite.next().value] += step;     // ends at v
       along_[opposite.previous().value] -= step; // starts there
@@ -329,7 +330,7 @@ private:
   std::vector<char> skipped_;
   std::vector<int> judged_;
   std::vector<double> width_; ///< of each judged triangle in space
-  std::vector<mesh::SideEnd> some_end_;
+  std::vector<surface::SideEnd> some_end_;
   std::vector<std::pair<int, Complex>> since_best_; ///< steps
   std::map<int, Complex> total_;                    ///< of each vertex that moved, up to the best drawing
 };
@@ -342,7 +343,7 @@ std::vector<Complex> differences(const Surface& surface, const std::vector<Compl
 }
 
 /// Each vertex of a loop stays on the circle of its loop.
-Unflipped unflip_between_circles(const mesh::TriangleMesh& mesh, const std::vector<int>& loop,
+Unflipped unflip_between_circles(const surface::TriangleMesh& mesh, const std::vector<int>& loop,
                                  std::vector<Complex>& position, const std::vector<Circle>& circle_of_loop,
                                  std::vector<char> skipped, std::vector<int> judged,
                                  const std::map<int, Complex>& first_moves = {}) {
@@ -388,7 +389,7 @@ bool any_flipped(const std::vector<int>& triangles, const Image& image) {
 } // namespace
 
 Unflipped unflip_on_cylinder(const OneForms& forms, SlitMap& map, Unflip which) {
-  const std::vector<int> loop = mesh::loops_of_vertices(forms.loops(), forms.mesh().surface);
+  const std::vector<int> loop = surface::loops_of_vertices(forms.loops(), forms.mesh().surface);
   std::vector<char> skipped = ears(forms);
   std::vector<int> judged =
       judged_triangles(forms.mesh().surface, skipped, loop, map.outer, map.inner, which);
@@ -421,7 +422,7 @@ Unflipped unflip_on_cylinder(const OneForms& forms, SlitMap& map, Unflip which) 
 
 Unflipped unflip_on_ring(const OneForms& forms, SlitMap& map, Unflip which) {
   const Surface& surface = forms.mesh().surface;
-  const std::vector<int> loop = mesh::loops_of_vertices(forms.loops(), surface);
+  const std::vector<int> loop = surface::loops_of_vertices(forms.loops(), surface);
   std::vector<char> skipped = ears(forms);
   std::vector<int> judged = judged_triangles(surface, skipped, loop, map.outer, map.inner, which);
   const auto image = [&](int t) {
@@ -443,11 +444,11 @@ Unflipped unflip_on_ring(const OneForms& forms, SlitMap& map, Unflip which) {
   return result;
 }
 
-Unflipped unflip_in_disk(const mesh::TriangleMesh& mesh, CircularMap& map, Unflip which) {
-  const auto loops = mesh::boundary_loops(mesh);
+Unflipped unflip_in_disk(const surface::TriangleMesh& mesh, CircularMap& map, Unflip which) {
+  const auto loops = surface::boundary_loops(mesh);
   std::vector<Circle> circle(loops.size());
   for (std::size_t k = 0; k < map.loop.size(); ++k) circle[map.loop[k]] = map.domain.circles[k];
-  const std::vector<int> loop = mesh::loops_of_vertices(loops, mesh.surface);
+  const std::vector<int> loop = surface::loops_of_vertices(loops, mesh.surface);
   const int inner = map.loop.size() > 1 ? map.loop[1] : map.loop[0];
   std::vector<char> skipped = ears_in_disk(mesh, map);
   std::vector<int> judged = judged_triangles(mesh.surface, skipped, loop, map.loop[0], inner, which);

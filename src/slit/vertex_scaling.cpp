@@ -11,7 +11,7 @@
 namespace tetrarch::slit {
 namespace {
 
-using mesh::Side;
+using surface::Side;
 
 constexpr double half_turn = full_turn / 2;
 
@@ -88,14 +88,14 @@ double angle_opposite(const std::vector<double>& length, Side s) {
   return 2 * std::atan(half_tangent(length, s));
 }
 
-std::vector<Side> boundary_sides(const mesh::Surface& surface) {
+std::vector<Side> boundary_sides(const surface::Surface& surface) {
   std::vector<Side> result(static_cast<std::size_t>(surface.vertex_count()));
   for (int k = 0; k < surface.side_count(); ++k)
     if (surface.is_boundary(Side(k))) result[surface.from(Side(k))] = Side(k);
   return result;
 }
 
-std::vector<double> curvatures_of(const mesh::IntrinsicTriangulation& metric) {
+std::vector<double> curvatures_of(const surface::IntrinsicTriangulation& metric) {
   std::vector<double> curvature;
   for (const Side s : boundary_sides(metric.surface)) curvature.push_back(s.exists() ? half_turn : full_turn);
   for (int k = 0; k < metric.surface.side_count(); ++k)
@@ -103,7 +103,7 @@ std::vector<double> curvatures_of(const mesh::IntrinsicTriangulation& metric) {
   return curvature;
 }
 
-VertexScaling::VertexScaling(mesh::IntrinsicTriangulation start, std::vector<char> held,
+VertexScaling::VertexScaling(surface::IntrinsicTriangulation start, std::vector<char> held,
                              const std::vector<int>& round_holes)
     : metric_(std::move(start)), unscaled_(metric_.length), held_(std::move(held)), u_(held_.size(), 0.0) {
   const std::vector<Side> out = boundary_sides(metric_.surface);

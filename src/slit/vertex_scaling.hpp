@@ -18,18 +18,18 @@
 namespace tetrarch::slit {
 
 /// The angle opposite a side; pi or 0 where the triangle inequality fails.
-double angle_opposite(const std::vector<double>& length, mesh::Side s);
+double angle_opposite(const std::vector<double>& length, surface::Side s);
 
 /// Of each vertex the boundary side that starts there; none inside.
-std::vector<mesh::Side> boundary_sides(const mesh::Surface& surface);
+std::vector<surface::Side> boundary_sides(const surface::Surface& surface);
 
 /// 2 pi less the angles, on the boundary pi less them. O(n).
-std::vector<double> curvatures_of(const mesh::IntrinsicTriangulation& metric);
+std::vector<double> curvatures_of(const surface::IntrinsicTriangulation& metric);
 
 class VertexScaling {
 public:
   /// `round_holes` as in `Curvatures`. At least one vertex is held.
-  VertexScaling(mesh::IntrinsicTriangulation start, std::vector<char> held,
+  VertexScaling(surface::IntrinsicTriangulation start, std::vector<char> held,
                 const std::vector<int>& round_holes = {});
 
   struct Outcome {
@@ -44,7 +44,7 @@ public:
   /// factorisation.
   std::vector<std::vector<double>> responses(std::vector<std::vector<double>> curvature_changes);
 
-  const mesh::IntrinsicTriangulation& metric() const { return metric_; }
+  const surface::IntrinsicTriangulation& metric() const { return metric_; }
   const std::vector<double>& log_scale() const { return u_; }
   /// Back to these numbers, or on to others.
   void move_to(const std::vector<double>& log_scale);
@@ -53,15 +53,15 @@ public:
 
 private:
   void make_delaunay();
-  bool should_flip(mesh::Side s) const;
-  void flip(mesh::Side s);
+  bool should_flip(surface::Side s) const;
+  void flip(surface::Side s);
   bool is_metric() const; ///< whether no triangle has broken down
   std::vector<double> defects(const std::vector<double>& curvature) const;
   numeric::SymmetricMatrix hessian(double shift) const;
   void factor();
   std::vector<double> solved(std::vector<double> right) const;
 
-  mesh::IntrinsicTriangulation metric_;
+  surface::IntrinsicTriangulation metric_;
   std::vector<double> unscaled_;                    ///< lengths of the sides for u = 0
   std::vector<char> held_;                          ///< of each unknown
   std::vector<std::vector<int>> round_;             ///< the vertices of the round holes, in order

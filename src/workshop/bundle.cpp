@@ -8,9 +8,9 @@
 #include "tetrarch/bundle/vector_field.hpp"
 #include "tetrarch/core/error.hpp"
 #include "tetrarch/core/random.hpp"
+#include "tetrarch/doctor/repair.hpp"
 #include "tetrarch/format/document.hpp"
-#include "tetrarch/mesh/canonical_loops.hpp"
-#include "tetrarch/mesh/repair.hpp"
+#include "tetrarch/surface/canonical_loops.hpp"
 #include "tetrarch/workshop/text.hpp"
 
 #include <algorithm>
@@ -47,7 +47,7 @@ std::optional<double> bytes_beyond(double triangles, const BundleOptions& option
 }
 
 /// Triangles of the refined surface, before it is refined: a twisted edge has two sides, a triangle three.
-double expected_triangles(const mesh::Surface& surface, const SurfaceType& type, const PlanOptions& plan) {
+double expected_triangles(const surface::Surface& surface, const SurfaceType& type, const PlanOptions& plan) {
   const int euler = plan.euler.value_or(type.is_closed() ? type.euler : 0);
   return std::max<double>(surface.triangle_count(), 2.0 * std::abs(euler) * plan.fiber / 3);
 }
@@ -60,14 +60,15 @@ SurfaceBundle::Obstructed obstructed(const bundle::Obstruction& found, const Num
     part.triangles.push_back(surface.triangle_number(t));
     soup.triangles.push_back(surface.mesh.surface.corners(t));
   }
-  part.mesh = mesh::repair(std::move(soup)).soup;
+  part.mesh = doctor::repair(std::move(soup)).soup;
   return part;
 }
 
 /// What the dissertation proves of its gluings, asked of ours.
 void audit_gluings(const Plan& plan) {
   if (plan.method == Plan::Method::canonical_loops)
-    if (const std::string why = mesh::why_not_canonical(plan.cut); !why.empty()) throw PreconditionError(why);
+    if (const std::string why = surface::why_not_canonical(plan.cut); !why.empty())
+      throw PreconditionError(why);
   for (const auto& pair : bundle::bands(plan.cut))
     if (const std::string why = bundle::why_not_gluable(pair, plan.recipe); !why.empty())
       throw PreconditionError(why);
@@ -99,7 +100,7 @@ void find_singularities(MadeBundle& made, const BundleOptions& options) {
 
 /// A tangent field is a section of the unit tangent bundle alone.
 bool is_tangent(const MadeBundle& made) {
-  return made.proof.has_euler_number && made.proof.euler_number == mesh::type_of(made.bundle.base).euler;
+  return made.proof.has_euler_number && made.proof.euler_number == surface::type_of(made.bundle.base).euler;
 }
 
 struct IndexCount {
@@ -127,7 +128,7 @@ Tree cut_tree(const SurfaceBundle& found) {
   for (const auto& pair : bundle::bands(plan.cut))
     curves.push_back({{"edges", pair[0].sides.size()}, {"twist", bundle::twist_along(pair[0], plan.recipe)}});
   Tree tree{{"along", cut_name(plan.method)}, {"curves", std::move(curves)}};
-  if (plan.method == Plan::Method::canonical_loops) tree["word"] = mesh::boundary_word(plan.cut);
+  if (plan.method == Plan::Method::canonical_loops) tree["word"] = surface::boundary_word(plan.cut);
   return tree;
 }
 
@@ -172,14 +173,14 @@ Verdict SurfaceBundle::verdict() const {
 
 SurfaceBundle circle_bundle(const NumberedSurface& surface, const BundleOptions& options,
                             const Progress& progress) {
-  const mesh::Surface& given = surface.mesh.surface;
+  const surface::Surface& given = surface.mesh.surface;
   SurfaceBundle found;
-  found.surface = mesh::type_of(given);
+  found.surface = surface::type_of(given);
   found.triangles = given.triangle_count();
   found.field_given = options.field.has_value();
   found.bytes_needed = bytes_beyond(expected_triangles(given, found.surface, options.plan), options);
   if (found.bytes_needed) return found;
-  auto planned = bundle::plan(mesh::MarkedSurface(given, surface.mesh.points), options.plan, progress);
+  auto planned = bundle::plan(surface::MarkedSurface(given, surface.mesh.points), options.plan, progress);
   if (const auto* obstruction = std::get_if<bundle::Obstruction>(&planned)) {
     found.obstruction = obstructed(*obstruction, surface);
     return found;

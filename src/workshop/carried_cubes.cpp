@@ -53,7 +53,7 @@ void offer(CarriedCubes& best, product::SolidHexahedra found, const char* how) {
 Images images_with_splits(Images image, const PartitionedSolid& start) {
   constexpr double none = std::numeric_limits<double>::quiet_NaN();
   image.resize(start.solid.mesh.points.size() - start.splits.size(), {none, none, none});
-  for (const mesh::EdgePoint& s : start.splits) {
+  for (const solid::EdgePoint& s : start.splits) {
     product::Point p = image[s.from];
     for (std::size_t a = 0; a < 3; ++a) p[a] += s.part * (image[s.to][a] - p[a]);
     image.push_back(p);

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "tetrarch/workshop/check.hpp"
 
-#include "tetrarch/mesh/boundary_loops.hpp"
-#include "tetrarch/mesh/boundary_surface.hpp"
-#include "tetrarch/mesh/repair.hpp"
-#include "tetrarch/mesh/validate_surface.hpp"
-#include "tetrarch/mesh/weld.hpp"
+#include "tetrarch/doctor/boundary_surface.hpp"
+#include "tetrarch/doctor/repair.hpp"
+#include "tetrarch/doctor/validate_surface.hpp"
+#include "tetrarch/doctor/weld.hpp"
+#include "tetrarch/surface/boundary_loops.hpp"
 #include "tetrarch/workshop/text.hpp"
 
 #include <algorithm>
@@ -19,24 +19,25 @@ namespace {
 constexpr int most_worst = 10;
 
 /// The types of the parts of a surface.
-std::vector<SurfaceType> types_of_parts(const mesh::Surface& surface) {
+std::vector<SurfaceType> types_of_parts(const surface::Surface& surface) {
   std::vector<SurfaceType> types;
-  for (const mesh::Part& part : mesh::split(surface, mesh::parts(surface)))
-    types.push_back(mesh::type_of(part.surface));
+  for (const surface::Part& part : surface::split(surface, surface::parts(surface)))
+    types.push_back(surface::type_of(part.surface));
   return types;
 }
 
 /// Of duplicates and the like there is no type: they are mended first.
 Diagnosis::Sheet sheet_of(const format::Soup& found) {
-  format::Soup soup = mesh::repair(found).soup;
+  format::Soup soup = doctor::repair(found).soup;
   const auto vertices = static_cast<int>(soup.points.size());
-  const mesh::TriangleMesh mesh{std::move(soup.points), mesh::Surface(vertices, std::move(soup.triangles))};
+  const surface::TriangleMesh mesh{std::move(soup.points),
+                                   surface::Surface(vertices, std::move(soup.triangles))};
   Diagnosis::Sheet sheet{types_of_parts(mesh.surface), {}};
-  for (const mesh::BoundaryLoop& loop : mesh::boundary_loops(mesh)) {
+  for (const surface::BoundaryLoop& loop : surface::boundary_loops(mesh)) {
     Diagnosis::Sheet::Loop& kept = sheet.loops.emplace_back();
     kept.length = loop.length;
     kept.area = loop.area;
-    for (const mesh::SideEnd e : loop.sides)
+    for (const surface::SideEnd e : loop.sides)
       kept.vertices.push_back(format::point_number(soup, mesh.surface.vertex(e)) - soup.first_number);
   }
   return sheet;
@@ -44,46 +45,46 @@ Diagnosis::Sheet sheet_of(const format::Soup& found) {
 
 /// Nothing if the surfaces that bound the solid have fatal findings.
 std::optional<Diagnosis::Hull> hull_of(const format::Soup& solid) {
-  const format::Soup boundary = mesh::repair(mesh::boundary_surface(solid)).soup;
-  if (mesh::validate_surface(boundary, 1).count(mesh::Severity::fatal) > 0) return std::nullopt;
+  const format::Soup boundary = doctor::repair(doctor::boundary_surface(solid)).soup;
+  if (doctor::validate_surface(boundary, 1).count(doctor::Severity::fatal) > 0) return std::nullopt;
   const auto vertices = static_cast<int>(boundary.points.size());
-  return Diagnosis::Hull{types_of_parts(mesh::Surface(vertices, boundary.triangles)),
-                         mesh::component_count(solid)};
+  return Diagnosis::Hull{types_of_parts(surface::Surface(vertices, boundary.triangles)),
+                         doctor::component_count(solid)};
 }
 
 /// Whether nothing stops measuring: every index in range, every point finite.
-bool is_measurable(const mesh::Report& report) {
-  return report.count(mesh::Kind::not_finite) == 0 && report.count(mesh::Kind::index_out_of_range) == 0;
+bool is_measurable(const doctor::Report& report) {
+  return report.count(doctor::Kind::not_finite) == 0 && report.count(doctor::Kind::index_out_of_range) == 0;
 }
 
-const char* severity_word(mesh::Severity severity) {
+const char* severity_word(doctor::Severity severity) {
   switch (severity) {
-  case mesh::Severity::fatal:
+  case doctor::Severity::fatal:
     return "fatal";
-  case mesh::Severity::repairable:
+  case doctor::Severity::repairable:
     return "repairable";
-  case mesh::Severity::remark:
+  case doctor::Severity::remark:
     return "remark";
   }
   return "";
 }
 
 /// One line a finding, then what was left out of each kind.
-std::string findings_text(const mesh::Report& report, const format::Soup& soup) {
+std::string findings_text(const doctor::Report& report, const format::Soup& soup) {
   std::string text;
-  std::array<std::int64_t, mesh::kind_count> listed{};
-  for (const mesh::Finding& f : report.findings) {
-    const Place place = mesh::place_of(f, soup);
+  std::array<std::int64_t, doctor::kind_count> listed{};
+  for (const doctor::Finding& f : report.findings) {
+    const Place place = doctor::place_of(f, soup);
     text += place.source + (place.line > 0 ? ":" + std::to_string(place.line) : "") + ": " +
-            severity_word(mesh::severity_of(f.kind)) + ": " + f.text + "\n";
+            severity_word(doctor::severity_of(f.kind)) + ": " + f.text + "\n";
     ++listed[static_cast<std::size_t>(f.kind)];
   }
-  for (int k = 0; k < mesh::kind_count; ++k) {
-    const auto kind = static_cast<mesh::Kind>(k);
+  for (int k = 0; k < doctor::kind_count; ++k) {
+    const auto kind = static_cast<doctor::Kind>(k);
     const std::int64_t left_out = report.count(kind) - listed[static_cast<std::size_t>(k)];
     if (left_out > 0)
-      text +=
-          "and " + std::to_string(left_out) + " more of the kind " + std::string(mesh::name_of(kind)) + "\n";
+      text += "and " + std::to_string(left_out) + " more of the kind " + std::string(doctor::name_of(kind)) +
+              "\n";
   }
   return text;
 }
@@ -125,7 +126,7 @@ const format::Labels& labels_of(const Diagnosis& d) {
 std::string slivers_text(const Diagnosis& d) {
   constexpr double poor = 0.1; // a sliver, or nearly; fewer than all are worth a line
   std::vector<std::string> bad;
-  for (const mesh::ElementQuality& one : d.measures->quality.worst)
+  for (const doctor::ElementQuality& one : d.measures->quality.worst)
     if (one.scaled_jacobian < poor)
       bad.push_back(std::to_string(labels_of(d).number(one.element, d.soup.first_number)) + " (" +
                     rounded(one.least_angle) + ")");
@@ -146,9 +147,9 @@ std::string measures_text(const Diagnosis& d) {
 
 Tree findings_tree(const Diagnosis& d) {
   Tree list = Tree::array();
-  for (const mesh::Finding& f : d.report.findings)
-    list.push_back({{"kind", mesh::name_of(f.kind)},
-                    {"severity", severity_word(mesh::severity_of(f.kind))},
+  for (const doctor::Finding& f : d.report.findings)
+    list.push_back({{"kind", doctor::name_of(f.kind)},
+                    {"severity", severity_word(doctor::severity_of(f.kind))},
                     {"number", f.number},
                     {"line", f.line},
                     {"text", f.text}});
@@ -157,9 +158,9 @@ Tree findings_tree(const Diagnosis& d) {
 
 Tree counts_tree(const Diagnosis& d) {
   Tree counts = Tree::object();
-  for (int k = 0; k < mesh::kind_count; ++k) {
-    const auto kind = static_cast<mesh::Kind>(k);
-    if (d.report.count(kind) > 0) counts[mesh::name_of(kind)] = d.report.count(kind);
+  for (int k = 0; k < doctor::kind_count; ++k) {
+    const auto kind = static_cast<doctor::Kind>(k);
+    if (d.report.count(kind) > 0) counts[doctor::name_of(kind)] = d.report.count(kind);
   }
   return counts;
 }
@@ -186,9 +187,9 @@ Tree loops_tree(const Diagnosis& d) {
 }
 
 Tree quality_tree(const Diagnosis& d) {
-  const mesh::Quality& quality = d.measures->quality;
+  const doctor::Quality& quality = d.measures->quality;
   Tree worst = Tree::array();
-  for (const mesh::ElementQuality& one : quality.worst)
+  for (const doctor::ElementQuality& one : quality.worst)
     worst.push_back({{"number", labels_of(d).number(one.element, d.soup.first_number)},
                      {"least_angle", one.least_angle},
                      {"greatest_angle", one.greatest_angle},
@@ -218,7 +219,7 @@ bool Diagnosis::encloses() const {
 }
 
 Verdict Diagnosis::verdict() const {
-  return report.count(mesh::Severity::fatal) == 0 ? Verdict::yes : Verdict::proved_no;
+  return report.count(doctor::Severity::fatal) == 0 ? Verdict::yes : Verdict::proved_no;
 }
 
 Diagnosis check(format::Soup soup, const CheckOptions& options) {
@@ -226,13 +227,13 @@ Diagnosis check(format::Soup soup, const CheckOptions& options) {
   d.is_surface = soup.tetrahedra.empty() && !soup.triangles.empty();
   d.repairs = mend(soup, options.doctor);
   d.soup = std::move(soup);
-  d.report =
-      d.is_surface ? mesh::validate_surface(d.soup, options.listed) : mesh::validate(d.soup, options.listed);
+  d.report = d.is_surface ? doctor::validate_surface(d.soup, options.listed)
+                          : doctor::validate(d.soup, options.listed);
   const bool good = d.verdict() == Verdict::yes;
   if (good && d.is_surface) d.sheet = sheet_of(d.soup);
   if (good && !d.is_surface) d.hull = hull_of(d.soup);
   if (d.elements() > 0 && is_measurable(d.report))
-    d.measures = {mesh::extent(d.soup), mesh::quality(d.soup, most_worst)};
+    d.measures = {doctor::extent(d.soup), doctor::quality(d.soup, most_worst)};
   return d;
 }
 
@@ -261,7 +262,7 @@ const FieldList<Diagnosis>& fields_of<Diagnosis>() {
        [](D d) { return !d.is_surface; }},
       {{"vertices", "", "number of vertices"}, [](D d) -> Tree { return d.soup.points.size(); }},
       {{"fatal", "", "number of findings by which it is no manifold; 0: it is one"},
-       [](D d) -> Tree { return d.report.count(mesh::Severity::fatal); }},
+       [](D d) -> Tree { return d.report.count(doctor::Severity::fatal); }},
       {{"counts", "", "by kind, the number of findings"}, counts_tree},
       {{"findings", "", "the first of each kind: kind, severity, number, line, text"}, findings_tree},
       {{"repairs", "", "what was mended first, a sentence each"}, [](D d) -> Tree { return d.repairs; }},

@@ -4,9 +4,10 @@
 #include "hexahedra_facts.hpp"
 
 #include "tetrarch/core/error.hpp"
+#include "tetrarch/doctor/build.hpp"
+#include "tetrarch/doctor/validate.hpp"
 #include "tetrarch/format/mesh_json.hpp"
-#include "tetrarch/mesh/fill.hpp"
-#include "tetrarch/mesh/validate.hpp"
+#include "tetrarch/tetgen/fill.hpp"
 #include "tetrarch/workshop/text.hpp"
 
 #include <chrono>
@@ -56,8 +57,8 @@ bool is_there(Found f) {
 } // namespace
 
 product::Solid solid_of(format::Soup soup, const Progress& progress) {
-  if (soup.tetrahedra.empty() && !soup.triangles.empty()) soup = mesh::fill(soup, progress);
-  return product::solid(mesh::build(std::move(soup)));
+  if (soup.tetrahedra.empty() && !soup.triangles.empty()) soup = tetgen::fill(soup, progress);
+  return product::solid_of(doctor::build(std::move(soup)));
 }
 
 std::vector<std::string> FilledSolid::doubts() const {

@@ -8,13 +8,13 @@
 #include "tetrarch/diagram/exterior.hpp"
 #include "tetrarch/diagram/names.hpp"
 #include "tetrarch/diagram/read.hpp"
+#include "tetrarch/doctor/build.hpp"
 #include "tetrarch/format/mesh_files.hpp"
 #include "tetrarch/format/read.hpp"
 #include "tetrarch/format/signature_text.hpp"
 #include "tetrarch/format/text.hpp"
 #include "tetrarch/identify/names.hpp"
-#include "tetrarch/mesh/fill.hpp"
-#include "tetrarch/mesh/tet_mesh.hpp"
+#include "tetrarch/tetgen/fill.hpp"
 #include "tetrarch/workshop/collection.hpp"
 #include "tetrarch/workshop/dehn_fillings.hpp"
 #include "tetrarch/workshop/nearest.hpp"
@@ -29,9 +29,9 @@ constexpr const char* given_group = "the group given";
 constexpr const char* given_diagram = "the code given";
 
 /// What a valid mesh is better known to have, as sentences.
-void add_remarks(const format::Soup& soup, const mesh::Report& report, std::vector<std::string>& warnings) {
-  for (const mesh::Finding& f : report.findings) {
-    if (mesh::severity_of(f.kind) == mesh::Severity::fatal) continue;
+void add_remarks(const format::Soup& soup, const doctor::Report& report, std::vector<std::string>& warnings) {
+  for (const doctor::Finding& f : report.findings) {
+    if (doctor::severity_of(f.kind) == doctor::Severity::fatal) continue;
     const std::int64_t others = report.count(f.kind) - 1;
     warnings.push_back(soup.source + ": " + f.text +
                        (others > 0 ? ", and " + std::to_string(others) + " more of this kind" : ""));
@@ -43,14 +43,14 @@ format::Document triangulation_of(format::Soup soup, const Doctor& doctor, const
   const format::Ledger passed_over = soup.passed_over;
   std::vector<std::string> warnings = mend(soup, doctor);
   if (soup.tetrahedra.empty() && !soup.triangles.empty()) {
-    soup = mesh::fill(soup, progress);
+    soup = tetgen::fill(soup, progress);
     warnings.push_back("the surface was filled with " + std::to_string(soup.tetrahedra.size()) +
                        " tetrahedra by TetGen");
   }
-  const mesh::Report report = mesh::validate(soup, 1);
+  const doctor::Report report = doctor::validate(soup, 1);
   add_remarks(soup, report, warnings);
   format::Document document =
-      format::document_of(mesh::triangulation_of(mesh::build(std::move(soup), report)));
+      format::document_of(solid::triangulation_of(doctor::build(std::move(soup), report)));
   document.warnings = std::move(warnings);
   document.passed_over = passed_over;
   return document;

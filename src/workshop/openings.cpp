@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "tetrarch/workshop/openings.hpp"
 
-#include "tetrarch/mesh/open_handles.hpp"
-#include "tetrarch/mesh/slice.hpp"
+#include "tetrarch/surface/open_handles.hpp"
+#include "tetrarch/surface/slice.hpp"
 #include "tetrarch/workshop/surface.hpp"
 #include "tetrarch/workshop/text.hpp"
 
@@ -12,13 +12,13 @@ namespace tetrarch::workshop {
 namespace {
 
 /// The first vertex of a loop, by its number.
-long long first_number(const HoledSurface& surface, const mesh::BoundaryLoop& loop) {
+long long first_number(const HoledSurface& surface, const surface::BoundaryLoop& loop) {
   return surface.opened.number[surface.mesh().surface.vertex(loop.sides.front())];
 }
 
 Tree boundaries_tree(const HoledSurface& surface) {
   Tree list = Tree::array();
-  for (const mesh::BoundaryLoop& loop : surface.loops)
+  for (const surface::BoundaryLoop& loop : surface.loops)
     list.push_back({{"index", list.size()},
                     {"edges", loop.sides.size()},
                     {"length", loop.length},
@@ -34,21 +34,21 @@ HoledSurface opened(const NumberedSurface& surface, const Openings& openings, co
   numbers.reserve(surface.mesh.points.size());
   for (int v = 0; v < surface.mesh.surface.vertex_count(); ++v)
     numbers.push_back(surface.vertex_number(v) - surface.labels.first_number);
-  return opened(HoledSurface{mesh::OpenedMesh(surface.mesh, std::move(numbers)), {}}, openings, progress);
+  return opened(HoledSurface{surface::OpenedMesh(surface.mesh, std::move(numbers)), {}}, openings, progress);
 }
 
 HoledSurface opened(HoledSurface surface, const Openings& openings, const Progress& progress) {
-  mesh::OpenedMesh& mesh = surface.opened;
-  if (!openings.punched.empty()) mesh = mesh::punch(mesh, openings.punched);
-  if (!openings.sliced.empty()) mesh = mesh::slice(mesh, openings.sliced);
-  if (openings.handles) mesh = mesh::open_handles(mesh, progress).opened;
-  surface.loops = mesh::boundary_loops(mesh.mesh);
+  surface::OpenedMesh& mesh = surface.opened;
+  if (!openings.punched.empty()) mesh = surface::punch(mesh, openings.punched);
+  if (!openings.sliced.empty()) mesh = surface::slice(mesh, openings.sliced);
+  if (openings.handles) mesh = surface::open_handles(mesh, progress).opened;
+  surface.loops = surface::boundary_loops(mesh.mesh);
   return surface;
 }
 
 Rows rows_of(const HoledSurface& surface) {
   Rows rows;
-  for (const mesh::BoundaryLoop& loop : surface.loops)
+  for (const surface::BoundaryLoop& loop : surface.loops)
     rows.emplace_back("boundary loop " + std::to_string(rows.size()),
                       counted(static_cast<long long>(loop.sides.size()), "edge") + ", length " +
                           rounded(loop.length) + ", area " + rounded(loop.area) + ", through v" +

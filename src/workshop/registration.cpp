@@ -191,7 +191,7 @@ Rows rows_of(const SurfaceRegistration& found) {
 format::MeshDocument document_of(const SurfaceRegistration& found,
                                  const std::vector<std::array<double, 3>>& points) {
   using enum format::MeshField::On;
-  const mesh::TriangleMesh& first = found.first.mesh();
+  const surface::TriangleMesh& first = found.first.mesh();
   format::MeshDocument mesh;
   mesh.soup.points = points;
   mesh.soup.triangles = first.surface.triangles();

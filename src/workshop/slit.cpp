@@ -38,7 +38,7 @@ struct MovedSlits {
 
 /// The same of a disk with round holes.
 struct MovedCircles {
-  const mesh::TriangleMesh& mesh;
+  const surface::TriangleMesh& mesh;
   slit::CircularMap& map;
 
   slit::Unflipped unflip(slit::Unflip which) const { return slit::unflip_in_disk(mesh, map, which); }
@@ -121,7 +121,7 @@ ConformalMap map_to_slits(const slit::OneForms& forms, slit::SlitMap map, const 
 }
 
 /// The domain's shape is that of least distortion.
-void free_shape(ConformalMap& made, const mesh::TriangleMesh& mesh, const slit::CircularMap& map,
+void free_shape(ConformalMap& made, const surface::TriangleMesh& mesh, const slit::CircularMap& map,
                 const Progress& progress) {
   slit::Distortion before = slit::distortion_in_plane(mesh, map.position);
   const slit::FreeMap free = slit::free_map(mesh, map.position, progress);
@@ -131,8 +131,8 @@ void free_shape(ConformalMap& made, const mesh::TriangleMesh& mesh, const slit::
   made.layout = show::plane_layout(mesh, free.position, "free domain");
 }
 
-ConformalMap map_to_circles(const mesh::TriangleMesh& mesh, slit::CircularMap map, const MapOptions& options,
-                            const Progress& progress) {
+ConformalMap map_to_circles(const surface::TriangleMesh& mesh, slit::CircularMap map,
+                            const MapOptions& options, const Progress& progress) {
   ConformalMap made;
   made.circles = circles_of(map, options.by_ricci_flow);
   const MovedCircles moved{mesh, map};
@@ -148,7 +148,7 @@ ConformalMap map_to_circles(const mesh::TriangleMesh& mesh, slit::CircularMap ma
 }
 
 /// Of a surface with one loop.
-ConformalMap map_to_disk(const mesh::TriangleMesh& mesh, const MapOptions& options,
+ConformalMap map_to_disk(const surface::TriangleMesh& mesh, const MapOptions& options,
                          const Progress& progress) {
   const int center = options.center ? *options.center : slit::innermost_vertex(mesh);
   if (center < 0)
@@ -173,7 +173,7 @@ show::Layout stage_layout(const slit::OneForms& forms, const slit::SlitMap& map,
   return layout;
 }
 
-ConformalMap map_by_ricci_flow(const mesh::TriangleMesh& mesh, const MapOptions& options,
+ConformalMap map_by_ricci_flow(const surface::TriangleMesh& mesh, const MapOptions& options,
                                const Progress& progress) {
   const auto [outer, inner] = options.circles;
   slit::CircularMap map = in_file(
@@ -191,7 +191,7 @@ ConformalMap map_of_basis(const slit::OneForms& forms, slit::SlitMap map, const 
   return made;
 }
 
-ConformalMap map_harmonically(const mesh::TriangleMesh& mesh, const MapOptions& options,
+ConformalMap map_harmonically(const surface::TriangleMesh& mesh, const MapOptions& options,
                               const Progress& progress) {
   const slit::Edges edges = options.intrinsic ? slit::Edges::intrinsic_delaunay : slit::Edges::own;
   const slit::OneForms forms = in_file(options.name, [&] { return slit::OneForms(mesh, progress, edges); });
@@ -258,8 +258,8 @@ Verdict ConformalMap::verdict() const {
   return found() && (flips_allowed || flipped() == 0) ? Verdict::yes : Verdict::undecided;
 }
 
-std::string why_not_mapped(const mesh::Surface& surface, int least_holes) {
-  const SurfaceType type = mesh::type_of(surface);
+std::string why_not_mapped(const surface::Surface& surface, int least_holes) {
+  const SurfaceType type = surface::type_of(surface);
   if (type.orientable && type.euler + type.boundary_curves == 2 && type.boundary_curves >= least_holes)
     return "";
   return std::string("slit maps need a sphere with ") + (least_holes == 1 ? "a hole" : "two holes") +

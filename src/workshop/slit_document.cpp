@@ -9,7 +9,7 @@ namespace tetrarch::workshop {
 
 format::MeshDocument document_of(const ConformalMap& found) {
   using enum format::MeshField::On;
-  const mesh::TriangleMesh& surface = found.surface.mesh();
+  const surface::TriangleMesh& surface = found.surface.mesh();
   format::MeshDocument mesh;
   mesh.soup.points = surface.points;
   std::vector<std::array<double, 2>> places;

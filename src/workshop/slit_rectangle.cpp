@@ -16,7 +16,7 @@ namespace {
 ConformalMap::Rectangle::Hole box_of_loop(const HoledSurface& surface, int loop,
                                           const std::vector<std::complex<double>>& position) {
   ConformalMap::Rectangle::Hole hole{loop, INFINITY, -INFINITY, INFINITY, -INFINITY};
-  for (const mesh::SideEnd e : surface.loops[loop].sides) {
+  for (const surface::SideEnd e : surface.loops[loop].sides) {
     const std::complex<double> z = position[surface.mesh().surface.vertex(e)];
     hole.left = std::min(hole.left, z.real());
     hole.right = std::max(hole.right, z.real());
@@ -46,7 +46,7 @@ ConformalMap::Rectangle rectangle_of(const slit::RicciRectangles& found, const H
 
 ConformalMap map_to_rectangle(const HoledSurface& surface, const MapOptions& options,
                               const Progress& progress) {
-  const mesh::TriangleMesh& mesh = surface.mesh();
+  const surface::TriangleMesh& mesh = surface.mesh();
   int outer = options.circles.outer;
   if (outer < 0 || outer >= static_cast<int>(surface.loops.size()))
     throw PreconditionError("there is no loop " + std::to_string(outer));
@@ -54,7 +54,8 @@ ConformalMap map_to_rectangle(const HoledSurface& surface, const MapOptions& opt
       options.corners ? *options.corners
                       : in_file(options.name, [&] { return slit::corners_of(mesh, surface.loops[outer]); });
   if (options.corners)
-    if (const int loop = mesh::loop_through(surface.loops, mesh.surface, corners[0]); loop >= 0) outer = loop;
+    if (const int loop = surface::loop_through(surface.loops, mesh.surface, corners[0]); loop >= 0)
+      outer = loop;
   const slit::RicciRectangles found = in_file(options.name, [&] {
     return slit::ricci_rectangles(mesh, slit::rectangle_hints(mesh, corners, {}, progress), {}, progress);
   });

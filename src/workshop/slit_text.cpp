@@ -155,9 +155,10 @@ Rows map_rows(const ConformalMap& found) {
 }
 
 Rows rows_of(const ConformalMap& found) {
-  const mesh::Surface& surface = found.surface.mesh().surface;
-  Rows rows{{"surface", mesh::type_of(surface).str() + ", " + counted(surface.triangle_count(), "triangle")},
-            {"domain", name_of(found.domain)}};
+  const surface::Surface& surface = found.surface.mesh().surface;
+  Rows rows{
+      {"surface", surface::type_of(surface).str() + ", " + counted(surface.triangle_count(), "triangle")},
+      {"domain", name_of(found.domain)}};
   const Rows more = map_rows(found);
   rows.insert(rows.end(), more.begin(), more.end());
   return rows;

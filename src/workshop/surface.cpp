@@ -3,6 +3,7 @@
 
 #include "tetrarch/bundle/twist.hpp"
 #include "tetrarch/core/error.hpp"
+#include "tetrarch/doctor/build.hpp"
 #include "tetrarch/format/text.hpp"
 
 #include <map>
@@ -71,7 +72,7 @@ NumberedSurface surface_of(format::Soup soup, const Doctor& doctor) {
   surface.labels = soup;
   surface.labels.points = {};
   surface.labels.triangles = {};
-  surface.mesh = mesh::build_surface(std::move(soup));
+  surface.mesh = doctor::build_surface(std::move(soup));
   return surface;
 }
 

@@ -16,8 +16,8 @@
 namespace tetrarch::support {
 
 /// Marks all edges that a spanning tree of the triangles does not cross, each a curve of its own.
-inline void mark_tree_cut(mesh::MarkedSurface& cut) {
-  const mesh::Surface& s = cut.surface;
+inline void mark_tree_cut(surface::MarkedSurface& cut) {
+  const surface::Surface& s = cut.surface;
   std::vector<char> crossed(static_cast<std::size_t>(s.side_count()), 0);
   std::vector<char> seen(static_cast<std::size_t>(s.triangle_count()), 0);
   std::vector<int> stack{0};
@@ -25,7 +25,7 @@ inline void mark_tree_cut(mesh::MarkedSurface& cut) {
   while (!stack.empty()) {
     const int t = stack.back();
     stack.pop_back();
-    for (const mesh::Side a : mesh::sides_of(t)) {
+    for (const surface::Side a : surface::sides_of(t)) {
       if (s.is_boundary(a) || seen[s.mate(a).triangle()]) continue;
       seen[s.mate(a).triangle()] = 1;
       crossed[a.value] = crossed[s.mate(a).value] = 1;
@@ -34,13 +34,13 @@ inline void mark_tree_cut(mesh::MarkedSurface& cut) {
   }
   int curve = 0;
   for (int k = 0; k < s.side_count(); ++k) {
-    const mesh::Side a(k);
-    if (!crossed[k] && !s.is_boundary(a) && k < s.mate(a).value) mesh::set_mark(cut, a, ++curve);
+    const surface::Side a(k);
+    if (!crossed[k] && !s.is_boundary(a) && k < s.mate(a).value) surface::set_mark(cut, a, ++curve);
   }
 }
 
-inline bundle::CircleBundle bundle_on_tree_cut(mesh::Surface surface, int e, int fiber) {
-  mesh::MarkedSurface cut(std::move(surface));
+inline bundle::CircleBundle bundle_on_tree_cut(surface::Surface surface, int e, int fiber) {
+  surface::MarkedSurface cut(std::move(surface));
   mark_tree_cut(cut);
   bundle::orient_parts(cut);
   const int total = e * fiber;
@@ -76,12 +76,12 @@ inline std::string expected_homology(const SurfaceType& type, int e) {
 /// Bundles with fibres of one edge, small enough for Regina to name.
 struct SmallBundle {
   std::string name;
-  mesh::Surface surface;
+  surface::Surface surface;
   int euler;
 };
 inline std::vector<SmallBundle> small_bundles() {
   std::vector<SmallBundle> out;
-  const auto add = [&](const std::string& name, const mesh::Surface& surface,
+  const auto add = [&](const std::string& name, const surface::Surface& surface,
                        const std::vector<int>& eulers) {
     for (const int e : eulers) out.push_back({name + ", e = " + std::to_string(e), surface, e});
   };

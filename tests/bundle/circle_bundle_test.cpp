@@ -25,7 +25,7 @@ namespace {
 /// not cross. So the covering disk has no vertex inside.
 struct Case {
   std::string name;
-  mesh::Surface surface;
+  surface::Surface surface;
   std::vector<int> eulers;
 };
 
@@ -55,7 +55,7 @@ TEST_CASE("Circle bundles of every Euler number on any cut graph are proved and 
         const Proof proof = prove(bundle, Skeleton(bundle.total));
         REQUIRE(proof.failure.empty());
         CHECK(proof.euler_number == e);
-        CHECK(first_homology(bundle.total) == expected_homology(mesh::type_of(c.surface), e));
+        CHECK(first_homology(bundle.total) == expected_homology(surface::type_of(c.surface), e));
       }
 }
 
@@ -88,7 +88,7 @@ TEST_CASE("Small bundles are the manifolds that Regina recognises", "[bundle]") 
 TEST_CASE("Where the twist is no multiple of the fibre, an exceptional fibre is found", "[bundle]") {
   // Twist 1 over the torus with fibres of three edges: a closed manifold still, of the same homology as e
   // = 1.
-  mesh::MarkedSurface cut(torus_grid(3, 3).surface());
+  surface::MarkedSurface cut(torus_grid(3, 3).surface());
   mark_tree_cut(cut);
   const std::vector<int> twist = spread_twist(cut, 1);
   const CircleBundle bundle =
@@ -184,7 +184,7 @@ TEST_CASE("The indices of a section add up to the Euler number, those of a field
         for (auto& p : points) p = {number(), number(), number()};
         for (double& p : place) p *= 2;
         const auto turned = field_indices(bundle.base, points, place);
-        CHECK(std::accumulate(turned.begin(), turned.end(), 0) == mesh::type_of(bundle.base).euler);
+        CHECK(std::accumulate(turned.begin(), turned.end(), 0) == surface::type_of(bundle.base).euler);
       }
     }
 }
@@ -193,7 +193,7 @@ TEST_CASE("Whatever adds up to the Euler number is the indices of a section, a f
           "[bundle]") {
   Random random(12);
   for (const Case& c : cases()) {
-    const int chi = mesh::type_of(c.surface).euler;
+    const int chi = surface::type_of(c.surface).euler;
     const CircleBundle bundle = bundle_on_tree_cut(c.surface, chi, 3);
     const Fibers fibers = prove(bundle, Skeleton(bundle.total)).fibers;
     std::vector<double> place(static_cast<std::size_t>(bundle.base.vertex_count()));
@@ -242,7 +242,7 @@ TriangleList plane_grid() {
 /// The index of each triangle of a field in the plane, given by its angles against the x axis.
 template <class Angle>
 std::vector<int> plane_indices(const TriangleList& plane, Angle angle) {
-  const mesh::Surface surface = plane.surface();
+  const surface::Surface surface = plane.surface();
   std::vector<double> direction(plane.points.size(), 0);
   std::vector<char> done(plane.points.size(), 0);
   for (int t = 0; t < surface.triangle_count(); ++t)
@@ -250,7 +250,7 @@ std::vector<int> plane_indices(const TriangleList& plane, Angle angle) {
       const int v = surface.corners(t)[c];
       if (done[v]) continue;
       done[v] = 1;
-      const mesh::SideEnd first = mesh::fan(surface, {mesh::Side(t, (c + 2) % 3), true}).front();
+      const surface::SideEnd first = surface::fan(surface, {surface::Side(t, (c + 2) % 3), true}).front();
       const auto& p = plane.points[v];
       const auto& q = plane.points[surface.vertex({first.side, !first.at_start})];
       direction[v] = (first.at_start ? 1 : -1) * (angle(p) - std::atan2(q[1] - p[1], q[0] - p[0]));
@@ -297,7 +297,7 @@ TEST_CASE("A field without zero has no index, even if it turns nearly half round
 }
 
 TEST_CASE("Recipes that do not fit are the caller's mistake", "[bundle]") {
-  const mesh::Surface sphere = tetrahedron_surface().surface();
+  const surface::Surface sphere = tetrahedron_surface().surface();
   const std::vector<Shift> shift(12);
   CHECK_THROWS_AS(assemble({sphere, 0, shift, std::vector<std::int8_t>(12, 1)}), PreconditionError);
   CHECK_THROWS_AS(assemble({sphere, 1, shift, std::vector<std::int8_t>(12, 1)}), PreconditionError);

@@ -7,8 +7,8 @@
 #include "tetrarch/bundle/section.hpp"
 #include "tetrarch/core/error.hpp"
 #include "tetrarch/core/signature.hpp"
-#include "tetrarch/mesh/canonical_loops.hpp"
 #include "tetrarch/moves/simplify.hpp"
+#include "tetrarch/surface/canonical_loops.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -21,8 +21,8 @@ using namespace tetrarch::support;
 
 namespace {
 
-Plan plan_of(const mesh::Surface& surface, const PlanOptions& options) {
-  return std::get<Plan>(plan(mesh::MarkedSurface(surface), options));
+Plan plan_of(const surface::Surface& surface, const PlanOptions& options) {
+  return std::get<Plan>(plan(surface::MarkedSurface(surface), options));
 }
 
 Triangulation simplified(const Triangulation& tri) {
@@ -109,8 +109,8 @@ TEST_CASE("Genus g: canonical loops, two of them plain, all others of N edges wi
       INFO("genus " << genus << ", N = " << fiber);
       const Plan p = plan_of(genus_surface(genus).surface(), {fiber, {}, {}, {}});
       CHECK(p.method == Plan::Method::canonical_loops);
-      CHECK(mesh::why_not_canonical(p.cut).empty());
-      CHECK(mesh::boundary_word(p.cut) == canonical_word(genus));
+      CHECK(surface::why_not_canonical(p.cut).empty());
+      CHECK(surface::boundary_word(p.cut) == canonical_word(genus));
       const auto all = bands(p.cut);
       REQUIRE(static_cast<int>(all.size()) == 2 * genus);
       for (std::size_t k = 0; k < all.size(); ++k) {
@@ -122,7 +122,8 @@ TEST_CASE("Genus g: canonical loops, two of them plain, all others of N edges wi
             CHECK(gluing_map(band, p.recipe, {end, 0}).j % fiber == 0); // Corollary 7.4.2: one border fibre
       }
       const CircleBundle bundle = checked(p);
-      CHECK(first_homology(bundle.total) == expected_homology(mesh::type_of(p.cut.surface), 2 - 2 * genus));
+      CHECK(first_homology(bundle.total) ==
+            expected_homology(surface::type_of(p.cut.surface), 2 - 2 * genus));
     }
 }
 
@@ -141,7 +142,7 @@ TEST_CASE("The expected group maps to that of the bundle: generators to paths, r
     for (const auto& pair : bands(p.cut))
       for (const Band& band : pair) band_of[band.mark] = band;
     int rise = 0;
-    for (const int letter : mesh::boundary_word(p.cut)) {
+    for (const int letter : surface::boundary_word(p.cut)) {
       const Band& band = band_of[letter];
       const Band& first = band_of[std::abs(letter)];
       const int length = static_cast<int>(band.sides.size());
@@ -176,7 +177,8 @@ TEST_CASE("Higher genus and random retriangulations: H1 = Z^2g + Z/(2g-2)", "[bu
       const TriangleList list = relabelled(retriangulated(surface, random, 40 * genus, 10 * genus), random);
       const Plan p = plan_of(list.surface(), {1 + trial % 4, {}, {}, {}});
       const CircleBundle bundle = checked(p);
-      CHECK(first_homology(bundle.total) == expected_homology(mesh::type_of(p.cut.surface), 2 - 2 * genus));
+      CHECK(first_homology(bundle.total) ==
+            expected_homology(surface::type_of(p.cut.surface), 2 - 2 * genus));
     }
   }
 }
@@ -186,7 +188,7 @@ TEST_CASE("Any Euler number on equators, canonical loops and short cut graphs", 
        {icosphere(1), torus_grid(4, 5), genus_surface(2), crosscaps(1), crosscaps(3), klein_grid(5, 4)})
     for (const int e : {-2, -1, 0, 1, 3})
       for (const auto cut : {PlanOptions::Cut::dissertation, PlanOptions::Cut::any}) {
-        const SurfaceType type = mesh::type_of(list.surface());
+        const SurfaceType type = surface::type_of(list.surface());
         INFO(type.str() << ", e = " << e);
         const CircleBundle bundle = checked(plan_of(list.surface(), {4, e, {}, cut}));
         CHECK(first_homology(bundle.total) == expected_homology(type, e));
@@ -238,11 +240,11 @@ TEST_CASE("Two disks whose every boundary edge is twisted make lens spaces L(e,1
 
 TEST_CASE("A disk takes the values of its boundary, or says which part cannot", "[bundle]") {
   // By hand: a square cut in two has no vertex inside; all values equal have no solution, others have one.
-  const mesh::Surface square(4, {{0, 1, 2}, {0, 2, 3}});
-  const auto refused = plan(mesh::MarkedSurface(square), {2, {}, BoundaryValues{1, 1, 1, 1}, {}});
+  const surface::Surface square(4, {{0, 1, 2}, {0, 2, 3}});
+  const auto refused = plan(surface::MarkedSurface(square), {2, {}, BoundaryValues{1, 1, 1, 1}, {}});
   REQUIRE(std::holds_alternative<Obstruction>(refused));
   CHECK(std::get<Obstruction>(refused).triangles == std::vector<int>{0, 1});
-  const auto solved = plan(mesh::MarkedSurface(square), {2, {}, BoundaryValues{1, -1, 1, 1}, {}});
+  const auto solved = plan(surface::MarkedSurface(square), {2, {}, BoundaryValues{1, -1, 1, 1}, {}});
   const Plan& p = std::get<Plan>(solved);
   const std::vector<Side> sides = boundary_sides(square);
   for (std::size_t k = 0; k < sides.size(); ++k)
@@ -254,7 +256,7 @@ TEST_CASE("Coordinates near the end of what doubles hold plan the bundle that sm
   // Lengths of edges of 1e308 are infinite in doubles, and those of 1e-308 vanish in squares.
   for (const double size : {1e308, -1e308, 1.0, 1e-308}) {
     INFO(size);
-    mesh::MarkedSurface tetrahedron = tetrahedron_surface().marked();
+    surface::MarkedSurface tetrahedron = tetrahedron_surface().marked();
     tetrahedron.points = {{size, 0, 0}, {-size, 0, 0}, {0, size, 0}, {0, 0, size}};
     for (const int fiber : {1, 8}) {
       const Plan p = std::get<Plan>(plan(tetrahedron, {fiber, {}, {}, {}}));
@@ -270,13 +272,13 @@ TEST_CASE("Planning stops when it is told to, whatever it cuts along", "[bundle]
   std::stop_source source;
   source.request_stop();
   const Progress stopped({}, source.get_token());
-  for (const mesh::MarkedSurface& surface : {icosphere(2).marked(), genus_surface(3).marked()})
+  for (const surface::MarkedSurface& surface : {icosphere(2).marked(), genus_surface(3).marked()})
     CHECK_THROWS_AS(static_cast<void>(plan(surface, {4, {}, {}, {}}, stopped)), Stopped);
 }
 
 TEST_CASE("What a surface does not have cannot be asked of its bundle", "[bundle]") {
-  const mesh::MarkedSurface sphere = tetrahedron_surface().marked();
-  const mesh::MarkedSurface disk(mesh::Surface(3, {{0, 1, 2}}));
+  const surface::MarkedSurface sphere = tetrahedron_surface().marked();
+  const surface::MarkedSurface disk(surface::Surface(3, {{0, 1, 2}}));
   CHECK_THROWS_AS(plan(sphere, {0, {}, {}, {}}), PreconditionError);
   CHECK_THROWS_AS(plan(sphere, {1, {}, BoundaryValues{}, {}}), PreconditionError);
   CHECK_THROWS_AS(plan(disk, {1, 1, {}, {}}), PreconditionError);

@@ -26,7 +26,7 @@ using namespace tetrarch::numeric;
 namespace {
 
 product::Solid box_solid() {
-  return product::solid(support::box({3, 2, 1}, {3, 2, 1}, 0).mesh);
+  return product::solid_of(support::box({3, 2, 1}, {3, 2, 1}, 0).mesh);
 }
 
 /// A grid of n x n x n cells with those taken whose index is in the list.
@@ -82,7 +82,7 @@ TEST_CASE("a box has six patches, twelve ridges and eight corners", "[hex]") {
   CHECK(box.corners.size() == 8);
   CHECK(std::none_of(box.ridges.begin(), box.ridges.end(), [](const Ridge& r) { return r.is_closed; }));
 
-  const Features can = features(product::solid(support::cylinder(6, 4).mesh));
+  const Features can = features(product::solid_of(support::cylinder(6, 4).mesh));
   CHECK(can.patches == 3);
   CHECK(can.ridges.size() == 2);
   CHECK(can.corners.empty());
@@ -227,9 +227,9 @@ TEST_CASE("a box is filled with boxes", "[hex]") {
 
 TEST_CASE("curved solids are filled without an inverted hexahedron", "[hex]") {
   // Volumes: a cylinder, a pipe, and a bent plate with two holes, all as their tetrahedra have them.
-  for (const mesh::TetMesh& mesh :
+  for (const solid::TetMesh& mesh :
        {support::cylinder(6, 4).mesh, support::pipe(0.5, 0.6, 5).mesh, support::bent(2, 4, 3).mesh}) {
-    const product::Solid solid = product::solid(mesh);
+    const product::Solid solid = product::solid_of(mesh);
     const auto filling = fill(solid, {.cells = 1500});
     REQUIRE(filling);
     require_mesh(filling->mesh);
@@ -247,7 +247,7 @@ TEST_CASE("what no grid fits is not filled, and a stop is heeded", "[hex]") {
   // A plate far thinner than the cells, slanted so that no planes meet its sides.
   auto thin = support::box({1, 1, 1e-6}, {2, 2, 1}, 0).mesh;
   for (Point& p : thin.points) p = {p[0] - p[2], p[1] - p[2], 0.3 * p[0] + 0.4 * p[1] + p[2]};
-  CHECK_FALSE(fill(product::solid(thin), {.edge = 0.2}));
+  CHECK_FALSE(fill(product::solid_of(thin), {.edge = 0.2}));
 
   std::stop_source stop;
   stop.request_stop();
@@ -266,7 +266,7 @@ TEST_CASE("a search ends within its means, and tells how", "[hex]") {
   // 1 + 1.56 + 2.44 + 3.81 + 5.96 = 14.8 in all, and a sixth would have edges of 0.8^5 = 0.33 of the first.
   auto thin = support::box({1, 1, 1e-6}, {2, 2, 1}, 0).mesh;
   for (Point& p : thin.points) p = {p[0] - p[2], p[1] - p[2], 0.3 * p[0] + 0.4 * p[1] + p[2]};
-  const product::Solid plate = product::solid(thin);
+  const product::Solid plate = product::solid_of(thin);
   const Search all = search(plate, {.edge = 0.2});
   CHECK_FALSE(all.best);
   CHECK(all.ending == Ending::finest);
@@ -281,7 +281,7 @@ TEST_CASE("a search ends within its means, and tells how", "[hex]") {
 }
 
 TEST_CASE("points of a long and narrow triangle are as many as its area asks for", "[hex]") {
-  const product::Solid needle = product::solid(support::box({40, 0.5, 0.5}, {1, 1, 1}, 0).mesh);
+  const product::Solid needle = product::solid_of(support::box({40, 0.5, 0.5}, {1, 1, 1}, 0).mesh);
   const Targets targets(needle, features(needle));
   const std::vector<SurfaceSample> samples = surface_samples(targets, 1);
   double area = 0;
@@ -331,7 +331,7 @@ TEST_CASE("edges of tetrahedra meet cells that no sample point does", "[hex]") {
   // A needle between the sample points of cells of length 1.
   auto needle = support::box({4, 0.01, 0.01}, {1, 1, 1}, 0).mesh;
   for (Point& p : needle.points) p = p + Vector{0.05, 0.05, 0.05};
-  const product::Solid solid = product::solid(needle);
+  const product::Solid solid = product::solid_of(needle);
   Marked marked(6, {});
   const std::vector<float> full = filled(solid, solid.mesh.points, marked.grid);
   CHECK(*std::max_element(full.begin(), full.end()) == 0);
@@ -365,7 +365,7 @@ TEST_CASE("what sticks out draws the square below it", "[hex]") {
 }
 
 TEST_CASE("points far inside stay where the grid has them", "[hex]") {
-  const product::Solid solid = product::solid(support::box({16, 16, 16}, {1, 1, 1}, 0).mesh);
+  const product::Solid solid = product::solid_of(support::box({16, 16, 16}, {1, 1, 1}, 0).mesh);
   const Grid grid = grid_around(solid.mesh.points, 1);
   SizedHexahedra cells = cells_of(grid, *chosen_cells(grid, filled(solid, solid.mesh.points, grid), 0));
   const std::vector<char> deep = deep_points(cells.mesh, unmatched(cells.mesh).home);

@@ -11,9 +11,9 @@
 #include "tetrarch/core/check.hpp"
 #include "tetrarch/core/error.hpp"
 #include "tetrarch/core/signature.hpp"
+#include "tetrarch/doctor/build.hpp"
 #include "tetrarch/format/mesh_files.hpp"
 #include "tetrarch/identify/recognise.hpp"
-#include "tetrarch/mesh/tet_mesh.hpp"
 #include "tetrarch/moves/boundary_moves.hpp"
 
 #include <algorithm>
@@ -88,8 +88,8 @@ TEST_CASE("exteriors of knots and links become known gluings", "[moves]") {
 
 TEST_CASE("the knotted Y comes out of its mesh", "[moves]") {
   // The headline of section 4.2.3: the gluing that the dissertation prints is the zoo's.
-  const Triangulation solid = mesh::triangulation_of(
-      mesh::build(format::read_soup_file(TETRARCH_SOURCE_DIR "/tests/data/knotted_y_8k.mesh")));
+  const Triangulation solid = solid::triangulation_of(
+      doctor::build(format::read_soup_file(TETRARCH_SOURCE_DIR "/tests/data/knotted_y_8k.mesh")));
   REQUIRE(solid.size() == 7709);
   const Truncation made = truncate(solid);
   CHECK(broken_by_truncation(solid, made) == "");

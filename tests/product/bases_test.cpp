@@ -27,16 +27,16 @@ int find_vertex(const Solid& solid, const Point& p) {
 
 /// The rims of floor and ceiling as walks, from the bases that are known.
 std::vector<std::vector<int>> rims(const Solid& solid, const std::vector<int>& base) {
-  mesh::Surface torn = solid.boundary;
+  surface::Surface torn = solid.boundary;
   for (int k = 0; k < torn.side_count(); ++k) {
-    const mesh::Side s(k);
+    const surface::Side s(k);
     if (base[s.triangle()] != base[solid.boundary.mate(s).triangle()] && !torn.is_boundary(s)) torn.unglue(s);
   }
   std::vector<std::vector<int>> walks;
-  for (const auto& curve : mesh::boundary_curves(torn)) {
+  for (const auto& curve : surface::boundary_curves(torn)) {
     if (base[curve.front().side.triangle()] < 0) continue; // each rim once
     std::vector<int>& walk = walks.emplace_back();
-    for (const mesh::SideEnd e : curve) walk.push_back(solid.vertex[torn.vertex(e)]);
+    for (const surface::SideEnd e : curve) walk.push_back(solid.vertex[torn.vertex(e)]);
   }
   return walks;
 }
@@ -56,7 +56,7 @@ bool same(const std::vector<int>& a, const std::vector<int>& b) {
 
 TEST_CASE("Labels point out the bases, whatever the order of vertices", "[bases]") {
   const support::Extrusion from = support::plate(2, 4, 2);
-  const Solid whole = solid(from.mesh);
+  const Solid whole = solid_of(from.mesh);
   const std::vector<int> base = support::bases(whole, from);
   std::vector<std::array<int, 3>> triangles;
   std::vector<int> label;
@@ -78,7 +78,7 @@ TEST_CASE("Labels point out the bases, whatever the order of vertices", "[bases]
 TEST_CASE("Rims cut the boundary into bases and walls", "[bases]") {
   for (int holes = 0; holes <= 3; ++holes) {
     const support::Extrusion from = support::plate(holes, 6, 2);
-    const Solid whole = solid(from.mesh);
+    const Solid whole = solid_of(from.mesh);
     const std::vector<int> base = support::bases(whole, from);
     const auto walks = rims(whole, base);
     REQUIRE(static_cast<int>(walks.size()) == 2 * (holes + 1));
@@ -91,7 +91,7 @@ TEST_CASE("Rims cut the boundary into bases and walls", "[bases]") {
 
 TEST_CASE("Rims that are none or too few are refused", "[bases]") {
   const support::Extrusion from = support::plate(2, 6, 2);
-  const Solid whole = solid(from.mesh);
+  const Solid whole = solid_of(from.mesh);
   auto walks = rims(whole, support::bases(whole, from));
   walks.resize(1); // does not even separate
   CHECK(error_of([&] { (void)bases_between_cycles(whole, walks); }).find("expected two bases") !=
@@ -103,13 +103,13 @@ TEST_CASE("Rims that are none or too few are refused", "[bases]") {
 
 TEST_CASE("Flooding goes as far as triangles face the way of the seed", "[bases]") {
   const support::Extrusion from = support::plate(2, 6, 2, support::Hole::round, 0.5, 0);
-  const Solid whole = solid(from.mesh);
+  const Solid whole = solid_of(from.mesh);
   const std::vector<int> base = support::bases(whole, from);
   const Flooding seeds{{find_vertex(whole, {1, 0.5, 0}), find_vertex(whole, {1, 0.5, 0.5})}, 0.3};
   CHECK(bases_by_flooding(whole, seeds) == base);
   // On a sphere: normals are within acos(1 - threshold) of that at the seed.
   const support::Extrusion shell = support::shell(0, 0.6, 8);
-  const Solid round = solid(shell.mesh);
+  const Solid round = solid_of(shell.mesh);
   int floor_seed = -1;
   int ceiling_seed = -1;
   for (int v = 0; v < static_cast<int>(shell.at.size()); ++v) {
@@ -127,7 +127,7 @@ TEST_CASE("Flooding goes as far as triangles face the way of the seed", "[bases]
 
 TEST_CASE("Seeds that are none are refused", "[bases]") {
   const support::Extrusion from = support::plate(1, 6, 2);
-  const Solid whole = solid(from.mesh);
+  const Solid whole = solid_of(from.mesh);
   const int below = find_vertex(whole, {0, 0, 0});
   int inside = -1;
   for (int v = 0; v < static_cast<int>(whole.on_boundary.size()); ++v)
@@ -145,7 +145,7 @@ TEST_CASE("Seeds that are none are refused", "[bases]") {
 TEST_CASE("Tunnels grow to walls", "[bases]") {
   // A pipe 2 high, loops half way up: walls 2 * 0.45 high, and the rest of the walls goes with the bases.
   const support::Extrusion from = support::pipe(0.5, 2, 8, 0);
-  const Solid whole = solid(from.mesh);
+  const Solid whole = solid_of(from.mesh);
   std::vector<std::vector<int>> loops;
   for (const double radius : {0.5, 1.0}) {
     std::vector<int>& loop = loops.emplace_back();
@@ -173,7 +173,7 @@ TEST_CASE("Without help the bases of plates are found between ridges, however th
   for (int holes = 0; holes <= 3; ++holes) {
     support::Extrusion from = support::plate(holes, 6, 2, support::Hole::round, 0.3);
     for (Point& p : from.mesh.points) p = {0.6 * p[0] - 0.8 * p[2], p[1] + 3, 0.8 * p[0] + 0.6 * p[2]};
-    const Solid whole = solid(from.mesh);
+    const Solid whole = solid_of(from.mesh);
     const auto found = automatic_partition(whole);
     REQUIRE(found);
     std::vector<int> base;
@@ -195,7 +195,7 @@ TEST_CASE("Without help a smooth solid is divided by the way it faces, rims bein
     const double round_z = z * std::sqrt(1 - x * x / 2);
     p = {p[0] / around * (0.75 + 0.25 * round_x), p[1] / around * (0.75 + 0.25 * round_x), 0.25 * round_z};
   }
-  const Solid whole = solid(from.mesh);
+  const Solid whole = solid_of(from.mesh);
   const auto found = automatic_partition(whole);
   REQUIRE(found);
   CHECK(found->partition.holes() == 1);
@@ -209,7 +209,7 @@ TEST_CASE("Without help a smooth solid is divided by the way it faces, rims bein
     REQUIRE(found->solid.mesh.points[v] == whole.mesh.points[v]);
   // What was split is told, in order, so that anything known at the old vertices can be carried to the new.
   std::vector<Point> carried = whole.mesh.points;
-  for (const mesh::EdgePoint& s : found->splits) {
+  for (const solid::EdgePoint& s : found->splits) {
     REQUIRE(std::max(s.from, s.to) < static_cast<int>(carried.size()));
     Point p{};
     for (std::size_t a = 0; a < 3; ++a) p[a] = (1 - s.part) * carried[s.from][a] + s.part * carried[s.to][a];

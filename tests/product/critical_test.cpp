@@ -59,7 +59,7 @@ TEST_CASE("A flow around a hole has critical places where it parts and where it 
   // A plate with one hole, floor x = 0, ceiling x = 1: the Euler number of the solid is 0, that of the floor
   // 1, so it is no product of the two.
   const support::Extrusion from = support::plate(1, 8, 3, support::Hole::round, 0.5, 0);
-  Divided c{solid(from.mesh), {}};
+  Divided c{solid_of(from.mesh), {}};
   for (int t = 0; t < c.solid.boundary.triangle_count(); ++t) {
     const auto all_at = [&](double x) {
       return c.solid.point(c.solid.corner(t, 0))[0] == x && c.solid.point(c.solid.corner(t, 1))[0] == x &&

@@ -191,7 +191,7 @@ TEST_CASE("Floors that are no rectangles with holes are refused", "[grid]") {
 
 TEST_CASE("Nodes lie on the floor where their coordinates are, those of loops on loops", "[grid]") {
   const auto plate = support::plate(2, 6, 1, support::Hole::square, 0.5, 0.15);
-  const Solid solid = product::solid(plate.mesh);
+  const Solid solid = product::solid_of(plate.mesh);
   const Partition parts = partition(solid, support::bases(solid, plate));
   const FloorMap floor = support::floor_from_plan(solid, parts, plate);
   const FloorGrid grid = floor_grid(floor.height, floor.rectangles, {12});

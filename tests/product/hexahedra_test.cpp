@@ -67,7 +67,7 @@ Made made_on(const FloorMap& floor, const Solid& solid, const Partition& parts, 
 }
 
 Made made(const support::Extrusion& from, int across, const HexOptions& options) {
-  const Solid solid = product::solid(from.mesh);
+  const Solid solid = product::solid_of(from.mesh);
   const Partition parts = partition(solid, support::bases(solid, from));
   FloorOptions rectangle;
   rectangle.domain = FloorDomain::rectangle;
@@ -78,7 +78,7 @@ Made made(const support::Extrusion& from, int across, const HexOptions& options)
 
 /// From a plate with square holes, whose plan is the rectangle.
 Made made_from_plan(const support::Extrusion& plate, int across, const HexOptions& options) {
-  const Solid solid = product::solid(plate.mesh);
+  const Solid solid = product::solid_of(plate.mesh);
   const Partition parts = partition(solid, support::bases(solid, plate));
   return made_on(support::floor_from_plan(solid, parts, plate), solid, parts, across, options);
 }
@@ -251,7 +251,7 @@ TEST_CASE("A plate with round holes, and a bent one, are filled, whatever the nu
 
 TEST_CASE("A fibre that is stuck leaves out what is beside it, and is named", "[hexahedra]") {
   const auto from = support::box({2, 1, 1}, {8, 4, 4}, 0);
-  const Solid solid = product::solid(from.mesh);
+  const Solid solid = product::solid_of(from.mesh);
   const Partition parts = partition(solid, support::bases(solid, from));
   FloorOptions rectangle;
   rectangle.domain = FloorDomain::rectangle;

@@ -23,7 +23,7 @@ bool says(const std::string& text, const std::string& part) {
 TEST_CASE("A plate with holes has as many walls as holes and one", "[partition]") {
   for (int holes = 0; holes <= 5; ++holes) {
     const support::Extrusion from = support::plate(holes, 6, 2);
-    const Solid whole = solid(from.mesh);
+    const Solid whole = solid_of(from.mesh);
     const Partition p = partition(whole, support::bases(whole, from));
     CHECK(p.walls == holes + 1);
     CHECK(p.holes() == holes);
@@ -43,7 +43,7 @@ TEST_CASE("A plate with holes has as many walls as holes and one", "[partition]"
 
 TEST_CASE("The outer wall may be chosen", "[partition]") {
   const support::Extrusion from = support::plate(2, 6, 2);
-  const Solid whole = solid(from.mesh);
+  const Solid whole = solid_of(from.mesh);
   const std::vector<int> base = support::bases(whole, from);
   const Partition longest = partition(whole, base);
   for (int t = 0; t < whole.boundary.triangle_count(); ++t) {
@@ -58,7 +58,7 @@ TEST_CASE("The outer wall may be chosen", "[partition]") {
 TEST_CASE("A floor whose loops bound in the solid is refused", "[partition]") {
   // A ring cut like a cake: floor and ceiling are strips around its section, whose rims are meridians.
   const support::Extrusion from = support::pipe(0.4, 1, 3);
-  const Solid whole = solid(from.mesh);
+  const Solid whole = solid_of(from.mesh);
   std::vector<int> base(static_cast<std::size_t>(whole.boundary.triangle_count()), -1);
   for (int t = 0; t < whole.boundary.triangle_count(); ++t) {
     std::array<double, 2> p{};
@@ -73,7 +73,7 @@ TEST_CASE("A floor that goes around the handle twice is refused", "[partition]")
   // On a ring, strips that go around it twice while they go around its section once: all patches are
   // cylinders as they should be, but the floor's loop is twice a generator.
   const support::Extrusion from = support::pipe(0.4, 1, 12, 0);
-  const Solid whole = solid(from.mesh);
+  const Solid whole = solid_of(from.mesh);
   for (const int turns : {1, 2}) {
     std::vector<int> base(static_cast<std::size_t>(whole.boundary.triangle_count()), -1);
     for (int t = 0; t < whole.boundary.triangle_count(); ++t) {
@@ -99,7 +99,7 @@ TEST_CASE("A floor that goes around the handle twice is refused", "[partition]")
 TEST_CASE("Where floor and ceiling touch, and where a floor is pinched, is named", "[partition]") {
   // A box of 4 x 2 x 2 boxes; vertex i + 5 j + 15 k is at (i, j, k).
   const support::Extrusion from = support::box({4, 2, 2}, {4, 2, 2}, 0);
-  const Solid whole = solid(from.mesh);
+  const Solid whole = solid_of(from.mesh);
   // Of each triangle the middle of the square of the boundary that it is a half of.
   const auto bases_where = [&](const auto& base_at) {
     std::vector<int> base;
@@ -139,7 +139,7 @@ TEST_CASE("Where floor and ceiling touch, and where a floor is pinched, is named
 
 TEST_CASE("What has the wrong topology is named", "[partition]") {
   const support::Extrusion from = support::plate(1, 6, 3);
-  const Solid whole = solid(from.mesh);
+  const Solid whole = solid_of(from.mesh);
   const std::vector<int> good = support::bases(whole, from);
   const auto error = [&](const auto& change) {
     std::vector<int> base = good;

@@ -13,7 +13,7 @@ using namespace tetrarch::product;
 
 TEST_CASE("Crumbs, holes and jags go from bases, and touching ones are parted", "[patches]") {
   const support::Extrusion from = support::box({8, 8, 4}, {8, 8, 4}, 0);
-  const Solid whole = solid(from.mesh);
+  const Solid whole = solid_of(from.mesh);
   // A triangle in a corner of the box, two of whose sides are on ridges, is a jag.
   std::vector<int> good = support::bases(whole, from);
   clean_up(whole, good);

@@ -42,10 +42,10 @@ using Map = std::function<Point(const Point&)>;
 struct Mapped {
   Mapped(const Voxels& voxels, const Map& map) {
     auto cubes = support::mesh_of(voxels);
-    mesh::TetMesh carried;
+    solid::TetMesh carried;
     for (const Point& p : cubes.points) carried.points.push_back(map(p));
     carried.tetrahedra = cubes.tets;
-    solid = product::solid(std::move(carried));
+    solid = product::solid_of(std::move(carried));
     for (const int v : solid.vertex) image.push_back(cubes.points[v]);
   }
   /// Triangles whose image is where `axis` has the value.
@@ -114,7 +114,7 @@ TEST_CASE("The surface of voxels is filled with these voxels", "[polycube]") {
       CHECK(hexahedra(one).points.size() == cubes.points.size());
       CHECK(quality(hexahedra(two)).minimum == Approx(1));
       // The volume of the tetrahedra is decided by `solid`; so is that they make a solid.
-      CHECK(product::solid(tetrahedra(one)).size() == 6 * static_cast<int>(wanted.size()));
+      CHECK(product::solid_of(tetrahedra(one)).size() == 6 * static_cast<int>(wanted.size()));
       ++tried;
     });
     // Random voxels may fall apart, or have a hollow.
@@ -328,12 +328,12 @@ TEST_CASE("Cubes are carried by any map that folds nothing", "[polycube]") {
 
 TEST_CASE("A surface that covers the polycube twice is refused", "[polycube]") {
   const Mapped m(frame(1, 2), same);
-  const mesh::Surface& once = m.solid.boundary;
+  const surface::Surface& once = m.solid.boundary;
   const int n = once.vertex_count();
   // Two copies, cut where y is between 3 and 4 on one side of the hole, and glued crosswise.
-  std::vector<mesh::Surface::Triangle> triangles;
+  std::vector<surface::Surface::Triangle> triangles;
   for (const int copy : {0, 1})
-    for (mesh::Surface::Triangle t : once.triangles()) {
+    for (surface::Surface::Triangle t : once.triangles()) {
       const auto height = [&](int v) { return m.image[v][1]; };
       const auto [low, high] = std::minmax({height(t[0]), height(t[1]), height(t[2])});
       const bool is_cut = low <= 3 && high >= 4 && m.image[t[0]][0] >= 4;
@@ -342,8 +342,8 @@ TEST_CASE("A surface that covers the polycube twice is refused", "[polycube]") {
     }
   std::vector<Point> image = m.image;
   image.insert(image.end(), m.image.begin(), m.image.end());
-  const mesh::Surface twice(2 * n, triangles);
-  REQUIRE(mesh::parts(twice).count == 1);
+  const surface::Surface twice(2 * n, triangles);
+  REQUIRE(surface::parts(twice).count == 1);
   REQUIRE(error_of([&] { (void)filled_polycube(once, m.image, 2); }).empty());
   CHECK(error_of([&] { (void)filled_polycube(twice, image, 2); }).find("squares instead of") !=
         std::string::npos);

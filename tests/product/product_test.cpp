@@ -25,7 +25,7 @@ struct Made {
 };
 
 Made make(const support::Extrusion& from, FloorDomain domain, int threads = 1) {
-  Solid whole = solid(from.mesh);
+  Solid whole = solid_of(from.mesh);
   Partition patches = partition(whole, support::bases(whole, from));
   Made m{split_shortcuts(std::move(whole), std::move(patches)), {}, {}, 0, {}, {}, {}};
   m.floor = floor_map(m.at.solid, m.at.partition, {.domain = domain});
@@ -218,7 +218,7 @@ TEST_CASE("Edges between vertices of one base are split", "[product]") {
   // By hand: one layer of one box, both bases of two triangles. A corner tetrahedron on four floor vertices
   // is made by pushing one vertex of the ceiling down: none here, so the walls' diagonals are all there is.
   const support::Extrusion from = support::box({1, 1, 1}, {3, 3, 2}, 0);
-  Solid whole = solid(from.mesh);
+  Solid whole = solid_of(from.mesh);
   Partition patches = partition(whole, support::bases(whole, from));
   CHECK(split_shortcuts(whole, patches).splits == 0);
 
@@ -258,7 +258,7 @@ TEST_CASE("Edges between vertices of one base are split", "[product]") {
 
 TEST_CASE("Stuck fibres are told, and their vertices lie between those around", "[product]") {
   const support::Extrusion from = support::box({2, 2, 2}, {4, 4, 4}, 0);
-  const Solid whole = solid(from.mesh);
+  const Solid whole = solid_of(from.mesh);
   const Partition patches = partition(whole, support::bases(whole, from));
   const FloorMap floor = floor_map(whole, patches, {.domain = FloorDomain::rectangle});
   std::vector<double> w;

@@ -173,7 +173,7 @@ inline PlanarMesh planar_ring(double inner, int rings, int sectors) {
 
 /// What `extruded` makes.
 struct Extrusion {
-  mesh::TetMesh mesh;
+  solid::TetMesh mesh;
   /// (x, y, t) of each vertex: fibre and harmonic field, where those are known.
   std::vector<std::array<double, 3>> at;
   int floor_vertices = 0;
@@ -266,7 +266,7 @@ struct Divided {
   product::Partition partition;
 };
 inline Divided divided(const Extrusion& from) {
-  Divided d{product::solid(from.mesh), {}};
+  Divided d{product::solid_of(from.mesh), {}};
   d.partition = product::partition(d.solid, bases(d.solid, from));
   return d;
 }

@@ -57,7 +57,7 @@ double area(const product::Solid& solid, const std::vector<int>& base, int which
 TEST_CASE("the solids of the tests are solids of the genus that they say", "[product]") {
   for (const Case& c : all_solids()) {
     INFO(c.name);
-    const product::Solid solid = product::solid(c.solid.mesh);
+    const product::Solid solid = product::solid_of(c.solid.mesh);
     CHECK(product::genus(solid) == c.solid.holes);
     const std::vector<int> base = bases(solid, c.solid);
     CHECK(std::count(base.begin(), base.end(), 0) == std::count(base.begin(), base.end(), 1));
@@ -77,7 +77,7 @@ TEST_CASE("the solids of the tests are solids of the genus that they say", "[pro
 
 TEST_CASE("the solids of the tests have the size that they say", "[product]") {
   const auto check = [](const Extrusion& e, int base, double expected) {
-    const product::Solid solid = product::solid(e.mesh);
+    const product::Solid solid = product::solid_of(e.mesh);
     CHECK(area(solid, bases(solid, e), base) == Approx(expected).epsilon(0.02));
   };
   const double pi = std::numbers::pi;

@@ -6,6 +6,7 @@
 #include "src/product/patches.hpp"
 #include "support/solids.hpp"
 #include "tetrarch/core/error.hpp"
+#include "tetrarch/doctor/build.hpp"
 #include "tetrarch/product/critical.hpp"
 #include "tetrarch/product/field.hpp"
 #include "tetrarch/product/product.hpp"
@@ -45,7 +46,7 @@ Solid ring_with_limbs(int length) {
         cubes.set({x, y, z}, in_ring ? !in_hole : in_limb);
       }
   const support::TetMesh mesh = support::mesh_of(cubes);
-  return solid({mesh.points, mesh.tets});
+  return product::solid_of({mesh.points, mesh.tets});
 }
 
 /// Of the greatest differences of w in tetrahedra the least.
@@ -92,7 +93,7 @@ TEST_CASE("The tunnel of a pipe is found, and the function between its banks", "
   // Low and wide, so that loops through the hole, which bound in the solid, are longer than loops around it;
   // and high and thin-walled, where they are shorter.
   for (const auto& from : {support::pipe(0.2, 1, 6), support::pipe(0.8, 0.2, 6)}) {
-    const Solid whole = solid(from.mesh);
+    const Solid whole = solid_of(from.mesh);
     const auto loops = tunnel_loops(whole, FirstHomology(whole));
     REQUIRE(loops);
     const auto found = tunnel(whole, *loops, 0);
@@ -128,7 +129,7 @@ TEST_CASE("Branches carry the field into limbs", "[tunnels]") {
 
 TEST_CASE("Plates are divided around loops that are a basis and do not meet", "[tunnels]") {
   for (int holes = 1; holes <= 5; ++holes) {
-    const Solid whole = solid(support::plate(holes, 6, 3, support::Hole::round, 0.8).mesh);
+    const Solid whole = solid_of(support::plate(holes, 6, 3, support::Hole::round, 0.8).mesh);
     const FirstHomology homology(whole);
     const auto loops = tunnel_loops(whole, homology);
     REQUIRE(loops);
@@ -136,10 +137,10 @@ TEST_CASE("Plates are divided around loops that are a basis and do not meet", "[
     std::vector<FirstHomology::Element> elements;
     std::set<int> seen;
     std::size_t length = 0;
-    for (const mesh::Loop& loop : loops->loops) {
+    for (const surface::Loop& loop : loops->loops) {
       elements.push_back(homology.of(loop));
       length += loop.size();
-      for (const mesh::SideEnd e : loop) seen.insert(whole.boundary.vertex(e));
+      for (const surface::SideEnd e : loop) seen.insert(whole.boundary.vertex(e));
     }
     CHECK(homology.generated_by(elements));
     CHECK(seen.size() == length);
@@ -160,7 +161,7 @@ TEST_CASE("Thickened graphs are products, though nobody can see how", "[tunnels]
     support::Random random(1);
     const support::TetMesh mesh =
         support::mesh_of(support::bars(support::random_graph({3, 3, 3}, genus, random), {5, 2}));
-    const Solid whole = solid({mesh.points, mesh.tets});
+    const Solid whole = product::solid_of({mesh.points, mesh.tets});
     const auto loops = tunnel_loops(whole, FirstHomology(whole));
     REQUIRE(loops);
     bool is_product = false;
@@ -180,7 +181,7 @@ TEST_CASE("Trees grow from their banks, hang together and never meet", "[tunnels
   format::Soup soup;
   for (const auto& p : plan.points) soup.points.push_back({p[0], p[1], 0});
   soup.triangles = plan.triangles;
-  const mesh::TriangleMesh ring = mesh::build_surface(soup);
+  const surface::TriangleMesh ring = doctor::build_surface(soup);
   std::array<std::vector<int>, 2> banks;
   for (int v = 0; v < static_cast<int>(ring.points.size()); ++v) {
     const double r = std::hypot(ring.points[v][0], ring.points[v][1]);

@@ -51,10 +51,11 @@ TEST_CASE("The solid tori of a sphere's bundle have the volume of two rings and 
   const double turn = 2 * std::acos(-1.0);
   CHECK(volume(cells) == Approx(2 * turn / 2 * 2.2 * turn).epsilon(0.03));
   const Surface skin = outer_faces(cells);
-  const mesh::Surface surface(static_cast<int>(skin.points.size()), skin.triangles);
-  const mesh::Parts parts = mesh::parts(surface);
+  const surface::Surface surface(static_cast<int>(skin.points.size()), skin.triangles);
+  const surface::Parts parts = surface::parts(surface);
   CHECK(parts.count == 2);
-  for (const auto& part : mesh::split(surface, parts)) CHECK(mesh::type_of(part.surface).str() == "torus");
+  for (const auto& part : surface::split(surface, parts))
+    CHECK(surface::type_of(part.surface).str() == "torus");
   for (const Data& d : cells.data) CHECK(d.values.size() == cells.tetrahedra.size());
   CHECK_NOTHROW(write_scene(scene, SceneFormat::vtu));
 }
@@ -84,8 +85,8 @@ TEST_CASE("Bands show each triangle of the boundary and each edge once", "[scene
     triangles += s.triangles.size();
     edges += 3 * s.triangles.size() / 2;
   }
-  const mesh::Surface open = mesh::cut_open(plan.cut);
-  const std::size_t boundary = mesh::boundary_curves(open).at(0).size();
+  const surface::Surface open = surface::cut_open(plan.cut);
+  const std::size_t boundary = surface::boundary_curves(open).at(0).size();
   CHECK(triangles == 2 * boundary * fiber);
   // Fibres where two bands meet are drawn by both.
   CHECK(scene.tubes.at(0).colors.size() == edges + scene.surfaces.size() * fiber);

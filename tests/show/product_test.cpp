@@ -23,7 +23,7 @@ namespace {
 /// for walls does not matter here: each is 2.
 struct Bent {
   support::Extrusion from = support::bent(2, 4, 2);
-  product::Solid solid = product::solid(from.mesh);
+  product::Solid solid = product::solid_of(from.mesh);
   product::Partition partition;
 
   Bent() {

@@ -2,9 +2,10 @@
 /// Pictures of slit maps: all of the domain is there, in its place, and the surface keeps its vertices.
 #include "tetrarch/show/slit.hpp"
 
+#include "tetrarch/doctor/build.hpp"
 #include "tetrarch/format/mesh_files.hpp"
-#include "tetrarch/mesh/triangle_mesh.hpp"
 #include "tetrarch/scene/files.hpp"
+#include "tetrarch/surface/triangle_mesh.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -22,8 +23,8 @@ constexpr std::array<SlitDomain, 3> all_domains{SlitDomain::cylindric, SlitDomai
                                                 SlitDomain::concentric};
 
 const slit::OneForms& ring_two_holes() {
-  static const slit::OneForms forms(
-      mesh::build_surface(format::read_soup_file(TETRARCH_SOURCE_DIR "/tests/data/mesh/ring_two_holes.off")));
+  static const slit::OneForms forms(doctor::build_surface(
+      format::read_soup_file(TETRARCH_SOURCE_DIR "/tests/data/mesh/ring_two_holes.off")));
   return forms;
 }
 
@@ -109,7 +110,7 @@ TEST_CASE("The OBJ has the vertices and triangles of the surface in their order"
 TEST_CASE("The drawing shows each edge and, thick, each loop", "[scene]") {
   const slit::OneForms& forms = ring_two_holes();
   const slit::SlitMap map = slit::slit_map(forms, 0, 1);
-  const mesh::Surface& surface = forms.mesh().surface;
+  const surface::Surface& surface = forms.mesh().surface;
   const auto seam = slit::parallel_domain(surface, map).seam.size() / 2;
   for (const SlitDomain domain : all_domains) {
     const Drawing drawing = slit_drawing(forms.mesh(), layout(forms, map, domain));

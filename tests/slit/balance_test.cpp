@@ -4,6 +4,7 @@
 
 #include "slit/domains.hpp"
 #include "support/surfaces.hpp"
+#include "tetrarch/doctor/build.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -16,8 +17,8 @@ using namespace tetrarch::support;
 
 /// Vertices inside are moved, the map said to be so.
 void shake(const OneForms& forms, SlitMap& map, double by) {
-  const mesh::Surface& surface = forms.mesh().surface;
-  const std::vector<int> loop = mesh::loops_of_vertices(forms.loops(), surface);
+  const surface::Surface& surface = forms.mesh().surface;
+  const std::vector<int> loop = surface::loops_of_vertices(forms.loops(), surface);
   std::vector<Complex> shift(loop.size(), 0.0);
   for (std::size_t v = 0; v < loop.size(); ++v)
     if (loop[v] < 0)
@@ -27,7 +28,7 @@ void shake(const OneForms& forms, SlitMap& map, double by) {
     map.angle[v] += shift[v].imag();
   }
   for (int k = 0; k < surface.side_count(); ++k) {
-    const Complex change = shift[surface.to(mesh::Side(k))] - shift[surface.from(mesh::Side(k))];
+    const Complex change = shift[surface.to(surface::Side(k))] - shift[surface.from(surface::Side(k))];
     map.form.real[k] += change.real();
     map.form.imaginary[k] += change.imag();
   }
@@ -35,7 +36,7 @@ void shake(const OneForms& forms, SlitMap& map, double by) {
 
 /// A square of n x n squares in the plane, cut by its diagonals, put into space by `place`.
 template <class Place>
-mesh::TriangleMesh sheet(int m, int n, const Place& place) {
+surface::TriangleMesh sheet(int m, int n, const Place& place) {
   format::Soup soup;
   for (int i = 0; i <= m; ++i)
     for (int j = 0; j <= n; ++j) soup.points.push_back(place(i, j));
@@ -46,7 +47,7 @@ mesh::TriangleMesh sheet(int m, int n, const Place& place) {
       soup.triangles.push_back({a, b, b + 1});
       soup.triangles.push_back({a, b + 1, a + 1});
     }
-  return mesh::build_surface(std::move(soup));
+  return doctor::build_surface(std::move(soup));
 }
 
 } // namespace
@@ -73,8 +74,8 @@ TEST_CASE("A prism with slits is isometric to its cylinder: shaken vertices find
   CHECK(distortion_on_cylinder(forms, map).mean_area_error < 1e-3);
   // What the form says along sides is what the vertices say.
   for (int k = 0; k < domain.mesh.surface.side_count(); ++k) {
-    const int from = domain.mesh.surface.from(mesh::Side(k));
-    const int to = domain.mesh.surface.to(mesh::Side(k));
+    const int from = domain.mesh.surface.from(surface::Side(k));
+    const int to = domain.mesh.surface.to(surface::Side(k));
     CHECK(std::abs(std::remainder(map.form.imaginary[k] - (map.angle[to] - map.angle[from]), full_turn)) <
           1e-12);
     CHECK(map.form.real[k] == Approx(map.log_radius[to] - map.log_radius[from]).margin(1e-12));
@@ -94,7 +95,7 @@ TEST_CASE("A ring with slits that was bent by a Moebius map is balanced, its sli
   CHECK(found.after < found.before);
   CHECK(after.flipped.empty());
   CHECK(after.mean_area_error < 0.75 * before.mean_area_error);
-  const std::vector<int> loop = mesh::loops_of_vertices(forms.loops(), domain.mesh.surface);
+  const std::vector<int> loop = surface::loops_of_vertices(forms.loops(), domain.mesh.surface);
   for (std::size_t v = 0; v < radius.size(); ++v)
     if (loop[v] >= 0) CHECK(map.log_radius[v] == radius[v]);
   // The slits reach as far as before.
@@ -102,7 +103,7 @@ TEST_CASE("A ring with slits that was bent by a Moebius map is balanced, its sli
     double low = 0;
     double high = 0;
     double at = 0;
-    for (const mesh::SideEnd e : forms.loops()[s.loop].sides) {
+    for (const surface::SideEnd e : forms.loops()[s.loop].sides) {
       at += map.form.imaginary[e.side.value];
       low = std::min(low, at);
       high = std::max(high, at);
@@ -131,7 +132,7 @@ TEST_CASE("A flat disk seen from one side is laid out as it is, its circle kept"
       soup.triangles.push_back({at(i, j), at(i + 1, j + 1), at(i, j + 1)});
     }
   }
-  const mesh::TriangleMesh mesh = mesh::build_surface(std::move(soup));
+  const surface::TriangleMesh mesh = doctor::build_surface(std::move(soup));
   CircularMap map = disk_map(mesh, at(4, 0)); // far from the middle
   const Balanced found = balance_in_disk(mesh, map);
   CHECK(found.before > 1.5);
@@ -143,7 +144,7 @@ TEST_CASE("A flat disk seen from one side is laid out as it is, its circle kept"
 
 TEST_CASE("Sheets that are flat but for bends are unrolled to their own size; what overlaps is told") {
   // On a cylinder of radius 1/2: arcs of a fifth, chords sin(1/5).
-  const mesh::TriangleMesh rolled = sheet(10, 12, [](int i, int j) {
+  const surface::TriangleMesh rolled = sheet(10, 12, [](int i, int j) {
     return std::array<double, 3>{0.5 * std::cos(0.4 * i), 0.5 * std::sin(0.4 * i), 0.3 * j};
   });
   const FreeMap flat = free_map(rolled, disk_map(rolled, innermost_vertex(rolled)).position);
@@ -154,7 +155,7 @@ TEST_CASE("Sheets that are flat but for bends are unrolled to their own size; wh
   CHECK(std::abs(flat.position[0] - flat.position[10 * 13 + 12]) == Approx(diagonal).epsilon(2e-3));
 
   // A band that winds round a little more than once and hardly climbs lies on itself.
-  const mesh::TriangleMesh spiral = sheet(80, 6, [](int i, int j) {
+  const surface::TriangleMesh spiral = sheet(80, 6, [](int i, int j) {
     const double angle = full_turn * 1.3 * i / 80;
     const double radius = 2 - 0.1 * j;
     return std::array<double, 3>{radius * std::cos(angle), radius * std::sin(angle), 0.02 * angle};
@@ -194,7 +195,7 @@ TEST_CASE("An ear, which a round hole turns over, is set right where the shape i
     for (int& v : t)
       if (v == static_cast<int>(soup.points.size()) - 1) v = unused;
   soup.points.pop_back();
-  const mesh::TriangleMesh mesh = mesh::build_surface(std::move(soup));
+  const surface::TriangleMesh mesh = doctor::build_surface(std::move(soup));
   const OneForms forms(mesh);
   const CircularMap map = circular_map(forms, slit_map(forms, 0, 1));
   REQUIRE(distortion_in_disk(mesh, map).ears == 1);
@@ -206,7 +207,7 @@ TEST_CASE("An ear, which a round hole turns over, is set right where the shape i
 
 /// What holds for every softened map. Whether any vertex moved.
 bool check_softened(const OneForms& forms, int outer, int inner, bool on_ring) {
-  const mesh::Surface& surface = forms.mesh().surface;
+  const surface::Surface& surface = forms.mesh().surface;
   SlitMap map = slit_map(forms, outer, inner);
   const SlitMap before = map;
   const auto distortion = [&] {
@@ -222,7 +223,7 @@ bool check_softened(const OneForms& forms, int outer, int inner, bool on_ring) {
     CHECK(found.after < found.before);
   }
   // Vertices stay on their loops, the form says what the vertices say, and periods are what they were.
-  const std::vector<int> loop = mesh::loops_of_vertices(forms.loops(), surface);
+  const std::vector<int> loop = surface::loops_of_vertices(forms.loops(), surface);
   int moved = 0;
   for (std::size_t v = 0; v < loop.size(); ++v) {
     if (loop[v] >= 0) CHECK(map.log_radius[v] == before.log_radius[v]);
@@ -230,13 +231,13 @@ bool check_softened(const OneForms& forms, int outer, int inner, bool on_ring) {
   }
   CHECK(moved <= found.moved);
   for (int k = 0; k < surface.side_count(); ++k) {
-    const int from = surface.from(mesh::Side(k));
-    const int to = surface.to(mesh::Side(k));
+    const int from = surface.from(surface::Side(k));
+    const int to = surface.to(surface::Side(k));
     CHECK(std::abs(std::remainder(map.form.imaginary[k] - (map.angle[to] - map.angle[from]), full_turn)) <
           1e-12);
     CHECK(map.form.real[k] == Approx(map.log_radius[to] - map.log_radius[from]).margin(1e-12));
   }
-  for (const mesh::BoundaryLoop& l : forms.loops())
+  for (const surface::BoundaryLoop& l : forms.loops())
     CHECK(period(map.form.imaginary, l) == Approx(period(before.form.imaginary, l)).margin(1e-12));
   return found.moved > 0;
 }

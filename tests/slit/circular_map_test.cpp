@@ -6,10 +6,11 @@
 #include "support/random.hpp"
 #include "support/surfaces.hpp"
 #include "tetrarch/core/error.hpp"
-#include "tetrarch/mesh/refine.hpp"
+#include "tetrarch/doctor/build.hpp"
 #include "tetrarch/slit/fingerprint.hpp"
 #include "tetrarch/slit/matching.hpp"
 #include "tetrarch/slit/unflip.hpp"
+#include "tetrarch/surface/refine.hpp"
 
 #include <algorithm>
 #include <catch2/catch.hpp>
@@ -44,7 +45,7 @@ CircleErrors circle_errors(int times) {
   REQUIRE(found.domain.found);
   const CircularDomain exact = circular_domain(exact_ring());
   CircleErrors e;
-  const int first = mesh::loop_through(forms.loops(), domain.mesh.surface, domain.tips[0][0]);
+  const int first = surface::loop_through(forms.loops(), domain.mesh.surface, domain.tips[0][0]);
   // The mesh may number the second slit first; then that one's circle is on the positive axis.
   const bool exchanged = found.loop[2] != first;
   const Complex turn =
@@ -122,7 +123,7 @@ TEST_CASE("Whatever loops the ring is made from, the circular domain is the same
 
 /// The unit disk: a fan about 0 and rings around it, moved by a function.
 template <class Bend>
-mesh::TriangleMesh disk(int rings, int sectors, const Bend& bend) {
+surface::TriangleMesh disk(int rings, int sectors, const Bend& bend) {
   format::Soup soup;
   const auto add = [&](Complex z) {
     const Complex w = bend(z);
@@ -140,17 +141,17 @@ mesh::TriangleMesh disk(int rings, int sectors, const Bend& bend) {
       soup.triangles.push_back({at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)});
     }
   }
-  return mesh::build_surface(std::move(soup));
+  return doctor::build_surface(std::move(soup));
 }
 
 TEST_CASE("Riemann's map of a disk converges to the exact one") {
   // z + z^2 / 4 is one to one on the unit disk; the way back is what is to be found.
   const auto bend = [](Complex z) { return z + z * z / 4.0; };
   const auto error = [&](int rings) {
-    const mesh::TriangleMesh mesh = disk(rings, 4 * rings, bend);
+    const surface::TriangleMesh mesh = disk(rings, 4 * rings, bend);
     const CircularMap map = disk_map(mesh, 0);
     const auto known = disk(rings, 4 * rings, [](Complex z) { return z; }).points;
-    const int first = mesh.surface.vertex(mesh::boundary_loops(mesh)[0].sides.front());
+    const int first = mesh.surface.vertex(surface::boundary_loops(mesh)[0].sides.front());
     const Complex turn = 1.0 / Complex(known[first][0], known[first][1]);
     double greatest = 0;
     for (std::size_t v = 0; v < known.size(); ++v)
@@ -165,7 +166,7 @@ TEST_CASE("Riemann's map of a disk converges to the exact one") {
 }
 
 /// A strip of squares, long and two wide.
-mesh::TriangleMesh strip(int length) {
+surface::TriangleMesh strip(int length) {
   format::Soup soup;
   for (int i = 0; i <= length; ++i)
     for (int j = 0; j < 3; ++j) soup.points.push_back({static_cast<double>(i), static_cast<double>(j), 0});
@@ -175,13 +176,13 @@ mesh::TriangleMesh strip(int length) {
       soup.triangles.push_back({at, at + 3, at + 4});
       soup.triangles.push_back({at, at + 4, at + 1});
     }
-  return mesh::build_surface(std::move(soup));
+  return doctor::build_surface(std::move(soup));
 }
 
 TEST_CASE("A disk of which the centre sees next to nothing is refused") {
   // The far end of a strip of width 2 and length L sees e^(-pi L / 2): 1e-5 and 1e-55. Two of the corners
   // have no neighbor inside.
-  const mesh::TriangleMesh near = strip(8);
+  const surface::TriangleMesh near = strip(8);
   const CircularMap map = disk_map(near, 4);
   CHECK(distortion_in_plane(near, map.position).flipped.empty());
   CHECK_THROWS_AS(disk_map(strip(80), 4), InputError);
@@ -189,7 +190,7 @@ TEST_CASE("A disk of which the centre sees next to nothing is refused") {
 }
 
 TEST_CASE("Riemann's map refuses what is no disk, and a centre that is not inside") {
-  const mesh::TriangleMesh mesh = disk(2, 8, [](Complex z) { return z; });
+  const surface::TriangleMesh mesh = disk(2, 8, [](Complex z) { return z; });
   CHECK(innermost_vertex(mesh) == 0);
   CHECK_THROWS_AS(disk_map(mesh, 16), InputError);
   CHECK_THROWS_AS(disk_map(mesh, 17), InputError);
@@ -202,7 +203,7 @@ TEST_CASE("Riemann's map refuses what is no disk, and a centre that is not insid
 TEST_CASE("Vertices pulled out of their place are put back until no triangle is flipped") {
   const CrackedCylinder domain = slit_ring(refined(two_slits(), 4), moebius);
   const OneForms forms(domain.mesh);
-  const std::vector<int> loop = mesh::loops_of_vertices(forms.loops(), domain.mesh.surface);
+  const std::vector<int> loop = surface::loops_of_vertices(forms.loops(), domain.mesh.surface);
   const CircularMap good = circular_map(forms, slit_map(forms, 0, 1));
   CircularMap map = good;
   CHECK(unflip_in_disk(domain.mesh, map).moved == 0);
@@ -223,7 +224,7 @@ TEST_CASE("Vertices pulled out of their place are put back until no triangle is 
   CHECK(done.farthest > 0.05);
   CHECK(distortion_in_plane(domain.mesh, map.position).flipped.empty());
   for (std::size_t k = 0; k < map.loop.size(); ++k)
-    for (const mesh::SideEnd e : forms.loops()[map.loop[k]].sides) {
+    for (const surface::SideEnd e : forms.loops()[map.loop[k]].sides) {
       const Circle& circle = map.domain.circles[k];
       CHECK(std::abs(map.position[domain.mesh.surface.vertex(e)] - circle.center) ==
             Approx(circle.radius).epsilon(1e-12));
@@ -242,8 +243,8 @@ TEST_CASE("On the cylinder and on the ring vertices of slits stay on them") {
     const double push = 2 * (map.form.imaginary[sides[2].side.value]);
     map.angle[v] += push;
     for (int s = 0; s < domain.mesh.surface.side_count(); ++s) {
-      if (domain.mesh.surface.to(mesh::Side(s)) == v) map.form.imaginary[s] += push;
-      if (domain.mesh.surface.from(mesh::Side(s)) == v) map.form.imaginary[s] -= push;
+      if (domain.mesh.surface.to(surface::Side(s)) == v) map.form.imaginary[s] += push;
+      if (domain.mesh.surface.from(surface::Side(s)) == v) map.form.imaginary[s] -= push;
     }
     const auto flipped = [&] {
       return (on_ring ? distortion_on_ring(forms, map) : distortion_on_cylinder(forms, map)).flipped.size();
@@ -265,7 +266,7 @@ TEST_CASE("On bad triangles maps flip some, and no flipped triangle is left") {
     const TriangleList plain{domain.mesh.surface.triangles(), domain.mesh.points,
                              domain.mesh.surface.vertex_count()};
     const TriangleList bad = retriangulated(plain, random, 0, 20 + round % 5 * 40);
-    const mesh::TriangleMesh mesh{bad.points, bad.surface()};
+    const surface::TriangleMesh mesh{bad.points, bad.surface()};
     const OneForms forms(mesh, {}, round % 2 == 0 ? Edges::own : Edges::intrinsic_delaunay);
     SlitMap cylinder = slit_map(forms, outer_loop(forms, domain), inner_loop(forms, domain));
     SlitMap ring = cylinder;
@@ -331,7 +332,7 @@ TEST_CASE("The search for a better drawing never returns a worse one") {
   for (int round = 0; round < 10; ++round) {
     // Too much disorder to be put right.
     CircularMap map = good;
-    const std::vector<int> loop = mesh::loops_of_vertices(forms.loops(), domain.mesh.surface);
+    const std::vector<int> loop = surface::loops_of_vertices(forms.loops(), domain.mesh.surface);
     for (std::size_t v = 0; v < map.position.size(); ++v)
       if (loop[v] < 0) map.position[v] += std::polar(0.08 * round, full_turn * random.uniform());
     const std::size_t before = distortion_in_disk(domain.mesh, map).flipped.size();
@@ -418,7 +419,7 @@ TEST_CASE("A vertex of one triangle is put between its neighbors on the circle")
 }
 
 TEST_CASE("Fingerprints are those of the surface, not of its triangles") {
-  const mesh::TriangleMesh mesh = slit_ring(two_slits(), moebius).mesh;
+  const surface::TriangleMesh mesh = slit_ring(two_slits(), moebius).mesh;
   Random random(5);
   const TriangleList plain{mesh.surface.triangles(), mesh.points, mesh.surface.vertex_count()};
   const Fingerprint one = fingerprint(mesh, {}, 30'000);
@@ -443,11 +444,11 @@ TEST_CASE("Fingerprints are those of the surface, not of its triangles") {
 }
 
 TEST_CASE("Inversion in space changes the lengths of loops, but no fingerprint") {
-  const mesh::TriangleMesh mesh = slit_ring(refined(two_slits(), 4), moebius).mesh;
+  const surface::TriangleMesh mesh = slit_ring(refined(two_slits(), 4), moebius).mesh;
   const Fingerprint one = fingerprint(mesh, {}, 40'000);
   Random random(17);
   for (int round = 0; round < 3; ++round) {
-    mesh::TriangleMesh inverted = mesh;
+    surface::TriangleMesh inverted = mesh;
     const std::array<double, 3> pole{random.uniform() - 0.5, random.uniform() - 0.5, 0.7};
     for (auto& p : inverted.points) {
       double square = 0;
@@ -528,11 +529,11 @@ TEST_CASE("Three circles can be exchanged, and no fewer or more are matched") {
 
 TEST_CASE("Fingerprints are near the exact numbers, whatever the position in space") {
   const CrackedCylinder bent = slit_ring(refined(two_slits(), 4), moebius);
-  mesh::TriangleMesh turned = bent.mesh;
+  surface::TriangleMesh turned = bent.mesh;
   for (auto& [x, y, z] : turned.points) std::tie(x, y, z) = std::tuple{5 - 3 * z, 3 * x, -3 * y};
-  const auto loops = mesh::boundary_loops(turned);
-  const LoopPair pair{mesh::loop_through(loops, turned.surface, bent.outer_vertex),
-                      mesh::loop_through(loops, turned.surface, bent.inner_vertex)};
+  const auto loops = surface::boundary_loops(turned);
+  const LoopPair pair{surface::loop_through(loops, turned.surface, bent.outer_vertex),
+                      surface::loop_through(loops, turned.surface, bent.inner_vertex)};
   const Fingerprint found = fingerprint(turned, pair, 40'000);
   const CircularDomain exact = circular_domain(exact_ring());
   // The outer polygon of 64 sides has an area 0.2 percent smaller than its circle.
@@ -546,10 +547,10 @@ TEST_CASE("Fingerprints are near the exact numbers, whatever the position in spa
 }
 
 TEST_CASE("Fingerprints of surfaces with other holes are not compared") {
-  const mesh::TriangleMesh two = slit_ring(two_slits(), moebius).mesh;
+  const surface::TriangleMesh two = slit_ring(two_slits(), moebius).mesh;
   CylinderGrid grid = two_slits();
   grid.cracks.pop_back();
-  const mesh::TriangleMesh one = slit_ring(grid, moebius).mesh;
+  const surface::TriangleMesh one = slit_ring(grid, moebius).mesh;
   CHECK_THROWS_AS(distance(fingerprint(two, {}, 0), fingerprint(one, {}, 0)), InputError);
   CHECK_THROWS_AS(fingerprint(two, LoopPair{0, 4}, 0), InputError);
   CHECK(std::isinf(fingerprint(two, {}, 0).disk_error[0]));
@@ -571,7 +572,7 @@ TEST_CASE("Turning the disk changes no distance, moving one circle changes it by
 }
 
 TEST_CASE("A drawing twice as large has the factor 2 everywhere") {
-  const mesh::TriangleMesh mesh = disk(3, 9, [](Complex z) { return z; });
+  const surface::TriangleMesh mesh = disk(3, 9, [](Complex z) { return z; });
   std::vector<Complex> doubled;
   for (const auto& p : mesh.points) doubled.emplace_back(2 * p[0], 2 * p[1]);
   for (const double factor : distortion_in_plane(mesh, doubled).log_factor)

@@ -31,10 +31,10 @@ inline support::CylinderGrid two_slits() {
 }
 
 inline int outer_loop(const OneForms& forms, const support::CrackedCylinder& domain) {
-  return mesh::loop_through(forms.loops(), forms.mesh().surface, domain.outer_vertex);
+  return surface::loop_through(forms.loops(), forms.mesh().surface, domain.outer_vertex);
 }
 inline int inner_loop(const OneForms& forms, const support::CrackedCylinder& domain) {
-  return mesh::loop_through(forms.loops(), forms.mesh().surface, domain.inner_vertex);
+  return surface::loop_through(forms.loops(), forms.mesh().surface, domain.inner_vertex);
 }
 
 /// The angle from a to b, in [-pi, pi].
@@ -79,7 +79,7 @@ inline Errors errors(
     e.angle = std::max(e.angle, angle_error(map.angle[v], known.angle));
   }
   for (const auto& [start, end] : domain.tips) {
-    const int loop = mesh::loop_through(forms.loops(), domain.mesh.surface, start);
+    const int loop = surface::loop_through(forms.loops(), domain.mesh.surface, start);
     const auto slit =
         std::find_if(map.slits.begin(), map.slits.end(), [&](const Slit& s) { return s.loop == loop; });
     const support::OnCylinder first = exact(domain.at[start]);

@@ -4,7 +4,8 @@
 #include "slit/domains.hpp"
 #include "support/surfaces.hpp"
 #include "tetrarch/core/error.hpp"
-#include "tetrarch/mesh/laplacian.hpp"
+#include "tetrarch/doctor/build.hpp"
+#include "tetrarch/surface/laplacian.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -14,7 +15,7 @@ namespace {
 using namespace tetrarch;
 using namespace tetrarch::slit;
 using namespace tetrarch::support;
-using mesh::Side;
+using surface::Side;
 
 /// Two slits, bent so that nothing is symmetric: four loops on a flat mesh.
 OneForms bent_forms(int times = 2) {
@@ -22,11 +23,11 @@ OneForms bent_forms(int times = 2) {
       slit_ring(refined(two_slits(), times), [](Complex z) { return (z + 0.4) / (1.0 + 0.4 * z); }).mesh);
 }
 
-mesh::TriangleMesh mesh_of(const TriangleList& list) {
+surface::TriangleMesh mesh_of(const TriangleList& list) {
   format::Soup soup;
   soup.points = list.points;
   soup.triangles = list.triangles;
-  return mesh::build_surface(std::move(soup));
+  return doctor::build_surface(std::move(soup));
 }
 
 /// d of a coordinate.
@@ -60,7 +61,7 @@ TEST_CASE("Potentials are 1 on their loop and 0 on the others, add up to 1 and a
   REQUIRE(forms.loop_count() == 4);
   std::vector<int> on(forms.mesh().points.size(), -1);
   for (int k = 0; k < 4; ++k)
-    for (const mesh::SideEnd e : forms.loops()[k].sides) on[surface.vertex(e)] = k;
+    for (const surface::SideEnd e : forms.loops()[k].sides) on[surface.vertex(e)] = k;
   for (int v = 0; v < surface.vertex_count(); ++v) {
     double sum = 0;
     for (int k = 0; k < 4; ++k) {
@@ -70,7 +71,7 @@ TEST_CASE("Potentials are 1 on their loop and 0 on the others, add up to 1 and a
     CHECK(sum == Approx(1).epsilon(1e-14));
   }
   for (int k = 0; k < 4; ++k) {
-    const auto flux = mesh::fluxes(surface, forms.weight(), forms.potential(k));
+    const auto flux = surface::fluxes(surface, forms.weight(), forms.potential(k));
     for (int v = 0; v < surface.vertex_count(); ++v)
       if (on[v] < 0) CHECK(std::abs(flux[v]) < 1e-13);
   }
@@ -79,9 +80,9 @@ TEST_CASE("Potentials are 1 on their loop and 0 on the others, add up to 1 and a
 TEST_CASE("Values on the loops extend to harmonic functions, with any numbers inside") {
   const OneForms forms = bent_forms();
   const auto& surface = forms.mesh().surface;
-  const std::vector<int> loop = mesh::loops_of_vertices(forms.loops(), surface);
+  const std::vector<int> loop = surface::loops_of_vertices(forms.loops(), surface);
   // The mesh is flat, so coordinates are harmonic; and potentials are by definition.
-  mesh::LaplaceSolver::Columns known{{}, forms.potential(2)};
+  surface::LaplaceSolver::Columns known{{}, forms.potential(2)};
   for (const auto& p : forms.mesh().points) known[0].push_back(2 * p[0] - 3 * p[1] + 1);
   auto values = known;
   for (auto& column : values)
@@ -91,7 +92,7 @@ TEST_CASE("Values on the loops extend to harmonic functions, with any numbers in
   REQUIRE(found.size() == 2);
   for (std::size_t k = 0; k < 2; ++k)
     for (std::size_t v = 0; v < loop.size(); ++v) CHECK(found[k][v] == Approx(known[k][v]).margin(1e-12));
-  CHECK_THROWS_AS(forms.extended(mesh::LaplaceSolver::Columns{{1, 2}}), PreconditionError);
+  CHECK_THROWS_AS(forms.extended(surface::LaplaceSolver::Columns{{1, 2}}), PreconditionError);
 }
 
 TEST_CASE("Fluxes are energies: symmetric, and what flows in flows out") {
@@ -198,7 +199,7 @@ TEST_CASE(
   for (int round = 0; round < 5; ++round) {
     // Splits in the plane: the surface is the same, its triangles are bad.
     const TriangleList bad = retriangulated(plain, random, 0, 100);
-    const mesh::TriangleMesh mesh{bad.points, bad.surface()};
+    const surface::TriangleMesh mesh{bad.points, bad.surface()};
     const OneForms own(mesh);
     const OneForms intrinsic(mesh, {}, Edges::intrinsic_delaunay);
     const SlitMap a = slit_map(own, 0, 1);

@@ -5,6 +5,7 @@
 #include "support/random.hpp"
 #include "support/surfaces.hpp"
 #include "tetrarch/core/error.hpp"
+#include "tetrarch/doctor/build.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -22,15 +23,15 @@ double distance(const Space& p, const Space& q) {
   return std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
 }
 
-mesh::TriangleMesh built(const TriangleList& list) {
+surface::TriangleMesh built(const TriangleList& list) {
   format::Soup soup;
   soup.points = list.points;
   soup.triangles = list.triangles;
-  return mesh::build_surface(std::move(soup));
+  return doctor::build_surface(std::move(soup));
 }
 
 /// Each quad as two triangles. Building it proves that no edge is on three, and no vertex on two fans.
-mesh::TriangleMesh halved(const QuadMesh& quads) {
+surface::TriangleMesh halved(const QuadMesh& quads) {
   TriangleList list{{}, quads.points, static_cast<int>(quads.points.size())};
   for (const auto& [a, b, c, d] : quads.quads) {
     list.triangles.push_back({a, b, c});
@@ -46,8 +47,8 @@ int count(const std::vector<QuadEdge>& edges, Line line) {
 
 /// Laws of every quad mesh of a sphere with holes.
 void check_quads(const QuadMesh& quads, const OneForms& forms, const SlitMap& map) {
-  const mesh::TriangleMesh halves = halved(quads);
-  CHECK(static_cast<int>(mesh::boundary_loops(halves).size()) == forms.loop_count());
+  const surface::TriangleMesh halves = halved(quads);
+  CHECK(static_cast<int>(surface::boundary_loops(halves).size()) == forms.loop_count());
   CHECK(halves.surface.triangles().size() == 2 * quads.quads.size());
   const std::vector<QuadEdge> all = edges(quads);
   CHECK(quads.points.size() - all.size() + quads.quads.size() + forms.loop_count() == 2);
@@ -80,9 +81,10 @@ struct Run {
   OneForms forms;
   SlitMap map;
   QuadMesh mesh;
-  Run(const mesh::TriangleMesh& surface, int outer_vertex, int inner_vertex, int around)
-      : forms(surface), map(slit_map(forms, mesh::loop_through(forms.loops(), surface.surface, outer_vertex),
-                                     mesh::loop_through(forms.loops(), surface.surface, inner_vertex))),
+  Run(const surface::TriangleMesh& surface, int outer_vertex, int inner_vertex, int around)
+      : forms(surface),
+        map(slit_map(forms, surface::loop_through(forms.loops(), surface.surface, outer_vertex),
+                     surface::loop_through(forms.loops(), surface.surface, inner_vertex))),
         mesh(quads(forms, map, around)) {}
   Run(const CrackedCylinder& domain, int around)
       : Run(domain.mesh, domain.outer_vertex, domain.inner_vertex, around) {}
@@ -170,7 +172,7 @@ TEST_CASE("Spheres with holes become quads, whatever their triangles are like") 
     // Halves of edges that were flipped would lie on a line.
     for (Space& p : list.points)
       for (double& x : p) x += 0.02 * (random.below(1001) / 500.0 - 1);
-    const mesh::TriangleMesh surface = built(list);
+    const surface::TriangleMesh surface = built(list);
     const OneForms forms(surface);
     const int outer = random.below(holes);
     const int inner = (outer + 1 + random.below(holes - 1)) % holes;
@@ -211,7 +213,7 @@ TEST_CASE("Quads below a slit end on its lower bank, those above on its upper on
 TEST_CASE("Where a mirror image exchanges the rims, slits end on the mirror, between vertices") {
   // Holes at the ends of the axes x, y, z. At z, four vertices, two of them beside each end of the slit.
   const TriangleList list = with_holes(icosphere(3), 3);
-  const mesh::TriangleMesh surface = built(list);
+  const surface::TriangleMesh surface = built(list);
   const OneForms forms(surface);
   const auto loop = [&](int axis) {
     for (int k = 0; k < 3; ++k)
@@ -282,7 +284,7 @@ TEST_CASE("Lines a hair's breadth apart are both kept, and the thinnest space is
   const QuadMesh both = quads(run.forms, run.map, 16);
   CHECK(both.heights.size() == 4);
   CHECK(both.thinnest == Approx(1e-6 / (full_turn / 16)).epsilon(1e-6));
-  CHECK(mesh::boundary_loops(halved(both)).size() == 4);
+  CHECK(surface::boundary_loops(halved(both)).size() == 4);
 }
 
 TEST_CASE("The quads of a regular prism are flat rectangles of known size") {

@@ -2,6 +2,7 @@
 #include "tetrarch/slit/quality.hpp"
 
 #include "slit/domains.hpp"
+#include "tetrarch/doctor/build.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -52,14 +53,14 @@ TEST_CASE("In a mirror every triangle is flipped, and none is measured") {
 TEST_CASE("A triangle hanging on the boundary by one side is an ear, and no flip") {
   CylinderGrid annulus;
   annulus.sectors = 16;
-  const mesh::TriangleMesh ring = slit_ring(annulus, [](Complex z) { return z; }).mesh;
+  const surface::TriangleMesh ring = slit_ring(annulus, [](Complex z) { return z; }).mesh;
   format::Soup soup;
   soup.points = ring.points;
   soup.triangles = ring.surface.triangles();
   // Vertices 0 and 1 are neighbours on the outer circle, which runs from 0 to 1.
   soup.triangles.push_back({1, 0, static_cast<int>(soup.points.size())});
   soup.points.push_back({1.2, 0.2, 0});
-  const OneForms forms(mesh::build_surface(std::move(soup)));
+  const OneForms forms(doctor::build_surface(std::move(soup)));
   const SlitMap map = slit_map(forms, 0, 1);
   const Distortion d = distortion_on_cylinder(forms, map);
   CHECK(d.ears == 1);
@@ -73,7 +74,7 @@ TEST_CASE("What is wrong shows in the residual that is named after it") {
   int inside = 0;
   std::vector<char> on_loop(good.angle.size(), 0);
   for (const auto& loop : forms.loops())
-    for (const mesh::SideEnd e : loop.sides) on_loop[forms.mesh().surface.vertex(e)] = 1;
+    for (const surface::SideEnd e : loop.sides) on_loop[forms.mesh().surface.vertex(e)] = 1;
   while (on_loop[inside]) ++inside;
   const int rim = forms.mesh().surface.vertex(forms.loops()[0].sides.front());
 

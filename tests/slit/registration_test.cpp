@@ -8,7 +8,7 @@
 #include "support/random.hpp"
 #include "support/surfaces.hpp"
 #include "tetrarch/core/error.hpp"
-#include "tetrarch/mesh/refine.hpp"
+#include "tetrarch/surface/refine.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -72,12 +72,12 @@ SpacePoint carried(const RigidMotion& motion, const SpacePoint& p) {
 
 /// A mesh with its maps.
 struct Mapped {
-  Mapped(mesh::TriangleMesh mesh, int outer, int inner)
+  Mapped(surface::TriangleMesh mesh, int outer, int inner)
       : forms(std::move(mesh)), map(circular_map(forms, slit_map(forms, outer, inner))) {}
   explicit Mapped(const CrackedCylinder& domain)
       : Mapped(domain.mesh, loop(domain, domain.outer_vertex), loop(domain, domain.inner_vertex)) {}
   static int loop(const CrackedCylinder& domain, int vertex) {
-    return mesh::loop_through(mesh::boundary_loops(domain.mesh), domain.mesh.surface, vertex);
+    return surface::loop_through(surface::boundary_loops(domain.mesh), domain.mesh.surface, vertex);
   }
   OneForms forms;
   CircularMap map;
@@ -128,17 +128,17 @@ TEST_CASE("With two loops the turn is found in space, to half the digits") {
 /// them the same: mean distances from where vertices should come to lie.
 double moved_error(const CylinderGrid& grid, int levels) {
   const CrackedCylinder domain = cracked_cylinder(grid, rolled(moebius));
-  mesh::TriangleMesh own = domain.mesh;
+  surface::TriangleMesh own = domain.mesh;
   Random random(7);
   // Splits only: flips would change the surface.
   const TriangleList split =
       retriangulated({own.surface.triangles(), moved(own.points), own.surface.vertex_count()}, random, 0,
                      own.surface.vertex_count() / 2);
   const TriangleList list = relabelled(split, random);
-  mesh::TriangleMesh other{list.points, list.surface()};
+  surface::TriangleMesh other{list.points, list.surface()};
   for (int level = 0; level < levels; ++level) {
-    own = mesh::refined(own);
-    other = mesh::refined(other);
+    own = surface::refined(own);
+    other = surface::refined(other);
   }
   // Loops are numbered by length, which is the same.
   const Mapped a(own, Mapped::loop(domain, domain.outer_vertex), Mapped::loop(domain, domain.inner_vertex));
@@ -212,7 +212,7 @@ TEST_CASE("Loops go to the loops that they are matched to") {
   RegistrationOptions options;
   options.matching = {0, 1, 2, 3};
   std::swap(options.matching[a.map.loop[2]], options.matching[a.map.loop[3]]);
-  const std::vector<int> loop = mesh::loops_of_vertices(a.forms.loops(), domain.mesh.surface);
+  const std::vector<int> loop = surface::loops_of_vertices(a.forms.loops(), domain.mesh.surface);
   for (const bool unflip : {false, true}) {
     options.unflip = unflip;
     const Registration found = registered(a, a, options);
@@ -252,7 +252,7 @@ TEST_CASE("Points of the plane are found in the triangle they are deepest in, or
 
 TEST_CASE("Unless both are to be aligned, they are compared where they are") {
   const Mapped a(slit_ring(two_slits(), moebius));
-  mesh::TriangleMesh shifted = a.forms.mesh();
+  surface::TriangleMesh shifted = a.forms.mesh();
   for (SpacePoint& p : shifted.points) p[2] += 2;
   const Mapped b(shifted, a.map.loop[0], a.map.loop[1]);
   CHECK(registered(a, b).max_distance < 1e-9);

@@ -6,6 +6,7 @@
 #include "support/random.hpp"
 #include "support/surfaces.hpp"
 #include "tetrarch/core/error.hpp"
+#include "tetrarch/doctor/build.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -58,7 +59,7 @@ double greatest_ratio(const std::vector<double>& x, const std::vector<double>& y
 
 /// A rectangle of width 1, `width` x `height` squares, without blocks of them, moved by a function.
 struct Grid {
-  mesh::TriangleMesh mesh;
+  surface::TriangleMesh mesh;
   std::vector<Complex> at;                 ///< of each vertex, before it was moved
   std::vector<std::array<int, 4>> corners; ///< of the rectangle, then of the holes
 };
@@ -90,7 +91,7 @@ Grid grid(int width, int height, const std::vector<Block>& holes, const Bend& be
       soup.triangles.push_back({vertex(i, j), vertex(i + 1, j), vertex(i + 1, j + 1)});
       soup.triangles.push_back({vertex(i, j), vertex(i + 1, j + 1), vertex(i, j + 1)});
     }
-  out.mesh = mesh::build_surface(std::move(soup));
+  out.mesh = doctor::build_surface(std::move(soup));
   out.corners.push_back({vertex(0, 0), vertex(width, 0), vertex(width, height), vertex(0, height)});
   for (const Block& b : holes)
     out.corners.push_back(
@@ -131,7 +132,7 @@ TEST_CASE(
   CylinderGrid straight = two_slits();
   straight.unrest = 0;
   const CrackedCylinder prism = slit_prism(straight);
-  const auto unrolled = mesh::intrinsic_delaunay(prism.mesh);
+  const auto unrolled = surface::intrinsic_delaunay(prism.mesh);
   const Holonomy around = holonomy(unrolled, prism.outer_vertex);
   CHECK(std::abs(around.translation - full_turn) < 1e-12);
   CHECK(std::abs(around.rotation) < 1e-12);
@@ -140,10 +141,10 @@ TEST_CASE(
 
   CylinderGrid ring;
   const CrackedCylinder planar = slit_ring(ring, ricci_moebius);
-  const Holonomy none = holonomy(mesh::intrinsic_delaunay(planar.mesh), planar.inner_vertex);
+  const Holonomy none = holonomy(surface::intrinsic_delaunay(planar.mesh), planar.inner_vertex);
   CHECK(std::abs(none.translation) < 1e-12);
   CHECK(std::abs(none.rotation) < 1e-12);
-  CHECK(laid_out(mesh::intrinsic_delaunay(planar.mesh)).gap < 1e-12);
+  CHECK(laid_out(surface::intrinsic_delaunay(planar.mesh)).gap < 1e-12);
 
   // A third of a turn on each loop, shared out evenly, is a cone's: 8 vertices a loop.
   Curvatures cone;
@@ -199,8 +200,8 @@ TEST_CASE("A hole may be round in a rectangle") {
   // The grid is symmetric under half a turn, so the circle is about the middle of a diagonal.
   const Complex middle = (place(square.corners[0][0]) + place(square.corners[0][2])) / 2.0;
   const double radius = std::abs(place(square.corners[1][0]) - middle);
-  const auto loops = mesh::boundary_loops(square.mesh);
-  for (const mesh::SideEnd e : loops[1].sides)
+  const auto loops = surface::boundary_loops(square.mesh);
+  for (const surface::SideEnd e : loops[1].sides)
     CHECK(std::abs(place(square.mesh.surface.vertex(e)) - middle) == Approx(radius).epsilon(1e-9));
 }
 
@@ -209,8 +210,8 @@ TEST_CASE("An annulus up to a Moebius map is found exactly, another one as its m
     CylinderGrid cylinder;
     cylinder.sectors = 16;
     const CrackedCylinder ring = slit_ring(refined(cylinder, times), bend);
-    const auto loops = mesh::boundary_loops(ring.mesh);
-    const int outer = mesh::loop_through(loops, ring.mesh.surface, ring.outer_vertex);
+    const auto loops = surface::boundary_loops(ring.mesh);
+    const int outer = surface::loop_through(loops, ring.mesh.surface, ring.outer_vertex);
     const RicciCircles found = ricci_circles(ring.mesh, outer, 1 - outer);
     REQUIRE(found.map.domain.found);
     CHECK(found.map.domain.circularity < 1e-9);
@@ -257,9 +258,9 @@ TEST_CASE("Both routes to the circular domain approach each other") {
 TEST_CASE("Which vertex was sent to infinity is not seen") {
   // A ring with two slits, sheared and bent out of the plane, so that edges are flipped near the boundary
   // too.
-  mesh::TriangleMesh mesh = slit_ring(refined(two_slits(), 2), ricci_moebius).mesh;
+  surface::TriangleMesh mesh = slit_ring(refined(two_slits(), 2), ricci_moebius).mesh;
   for (auto& [x, y, z] : mesh.points) std::tie(x, z) = std::pair(x + y, x * x);
-  REQUIRE(mesh::intrinsic_delaunay(mesh).flips > 100);
+  REQUIRE(surface::intrinsic_delaunay(mesh).flips > 100);
   const TriangleList plain{mesh.surface.triangles(), mesh.points, mesh.surface.vertex_count()};
   const RicciCircles first = ricci_circles(mesh, 0, 1);
   REQUIRE(first.map.domain.found);
@@ -311,10 +312,10 @@ TEST_CASE("Circles are refused where there are no such loops or the surface is n
 }
 
 /// So many vertices on along the boundary.
-int further(const mesh::Surface& surface, int v, int times) {
+int further(const surface::Surface& surface, int v, int times) {
   for (; times > 0; --times)
     for (int k = 0; k < surface.side_count(); ++k)
-      if (const mesh::Side s(k); surface.is_boundary(s) && surface.from(s) == v) {
+      if (const surface::Side s(k); surface.is_boundary(s) && surface.from(s) == v) {
         v = surface.to(s);
         break;
       }
@@ -324,7 +325,7 @@ int further(const mesh::Surface& surface, int v, int times) {
 /// The greatest deviation of the sides of all rectangles from being horizontal or vertical, for vertices
 /// beyond the two that share a corner.
 double slant(const Grid& grid, const RicciRectangles& found) {
-  const mesh::Surface& surface = grid.mesh.surface;
+  const surface::Surface& surface = grid.mesh.surface;
   double greatest = 0;
   for (const auto& corners : found.corners)
     for (std::size_t c = 0; c < 4; ++c) {
@@ -414,7 +415,7 @@ bool are_the_same(std::array<int, 4> a, std::array<int, 4> b) {
 TEST_CASE("The corners of all rectangles are found from the outer ones, and those by their sharpness") {
   const std::vector<Block> holes{{4, 9, 5, 10}, {13, 18, 8, 15}};
   const Grid flat = grid(24, 20, holes, [](Complex z) { return in_plane(z); });
-  const auto loops = mesh::boundary_loops(flat.mesh);
+  const auto loops = surface::boundary_loops(flat.mesh);
   const std::array<int, 4> corners = corners_of(flat.mesh, loops[0]);
   CHECK(are_the_same(corners, flat.corners[0]));
   // Loops of holes come by length: the larger hole is the second of the grid. Corners of holes are found up
@@ -434,15 +435,15 @@ TEST_CASE("A loop without sharp corners gets them at quarters of its length, one
   for (int j = 0; j < n; ++j)
     soup.points.push_back({std::cos(2 * half_turn * j / n), std::sin(2 * half_turn * j / n), 0});
   for (int j = 0; j < n; ++j) soup.triangles.push_back({0, 1 + j, 1 + (j + 1) % n});
-  const mesh::TriangleMesh disk = mesh::build_surface(std::move(soup));
-  const std::array<int, 4> corners = corners_of(disk, mesh::boundary_loops(disk)[0]);
+  const surface::TriangleMesh disk = doctor::build_surface(std::move(soup));
+  const std::array<int, 4> corners = corners_of(disk, surface::boundary_loops(disk)[0]);
   for (std::size_t c = 0; c < 4; ++c) CHECK((corners[(c + 1) % 4] - corners[c] + n) % n == n / 4);
   // By the symmetry of the disk the rectangle is a square.
   const RicciRectangles square = ricci_rectangles(disk, rectangle_hints(disk, corners));
   REQUIRE(square.found);
   CHECK(square.height == Approx(1).epsilon(1e-9));
   const Grid small = grid(1, 2, {}, in_plane);
-  CHECK_THROWS_AS(corners_of(small.mesh, mesh::boundary_loops(small.mesh)[0]), InputError);
+  CHECK_THROWS_AS(corners_of(small.mesh, surface::boundary_loops(small.mesh)[0]), InputError);
 }
 
 } // namespace

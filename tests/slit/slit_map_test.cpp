@@ -5,7 +5,8 @@
 #include "support/random.hpp"
 #include "support/surfaces.hpp"
 #include "tetrarch/core/error.hpp"
-#include "tetrarch/mesh/refine.hpp"
+#include "tetrarch/doctor/build.hpp"
+#include "tetrarch/surface/refine.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -16,7 +17,7 @@ namespace {
 using namespace tetrarch;
 using namespace tetrarch::slit;
 using namespace tetrarch::support;
-using mesh::Side;
+using surface::Side;
 
 Complex identity(Complex z) {
   return z;
@@ -172,7 +173,7 @@ TEST_CASE(
     "The modulus of a surface with flat triangles lies between its bounds, which close in as it is split") {
   for (const auto& domain :
        {slit_ring(two_slits(), slit_moebius), OpenedSlit::domain(1), slit_prism(two_slits())}) {
-    mesh::TriangleMesh surface = domain.mesh;
+    surface::TriangleMesh surface = domain.mesh;
     double below = 0;
     double above = 1e9;
     for (int level = 0; level < 4; ++level) {
@@ -184,7 +185,7 @@ TEST_CASE(
       CHECK(map.modulus_bound <= above + 1e-12);
       below = map.modulus;
       above = map.modulus_bound;
-      surface = mesh::refined(surface);
+      surface = surface::refined(surface);
     }
     CHECK(above - below < 0.01);
   }
@@ -266,13 +267,13 @@ TEST_CASE("Seen from one outer loop, loop j is as high when loop k is inner as l
           CHECK(radius(outer, j, k) == Approx(radius(outer, k, j)).epsilon(1e-12));
 }
 
-OneForms renamed(const mesh::TriangleMesh& mesh, Random& random) {
+OneForms renamed(const surface::TriangleMesh& mesh, Random& random) {
   const TriangleList list =
       relabelled(TriangleList{mesh.surface.triangles(), mesh.points, mesh.surface.vertex_count()}, random);
   format::Soup soup;
   soup.points = list.points;
   soup.triangles = list.triangles;
-  return OneForms(mesh::build_surface(std::move(soup)));
+  return OneForms(doctor::build_surface(std::move(soup)));
 }
 
 TEST_CASE("Names of vertices and triangles change nothing") {

@@ -10,8 +10,9 @@
 ///     \     '-' ---./      exp(-height + i angle) it is a ring with concentric slits.
 ///      '-----------'
 
+#include "tetrarch/doctor/build.hpp"
 #include "tetrarch/format/soup.hpp"
-#include "tetrarch/mesh/triangle_mesh.hpp"
+#include "tetrarch/surface/triangle_mesh.hpp"
 
 #include <array>
 #include <cmath>
@@ -36,7 +37,7 @@ struct OnCylinder {
 };
 
 struct CrackedCylinder {
-  mesh::TriangleMesh mesh;
+  surface::TriangleMesh mesh;
   std::vector<OnCylinder> at; ///< of each vertex: what the slit map should find, up to a rotation
   /// Of each crack, the vertices at which it starts and ends.
   std::vector<std::array<int, 2>> tips;
@@ -108,7 +109,7 @@ CrackedCylinder cracked_cylinder(const CylinderGrid& grid, const Place& place) {
       soup.triangles.push_back({a, b, c});
       soup.triangles.push_back({a, c, d});
     }
-  out.mesh = mesh::build_surface(std::move(soup));
+  out.mesh = doctor::build_surface(std::move(soup));
   out.outer_vertex = lower(0, 0);
   out.inner_vertex = lower(m, 0);
   return out;

@@ -7,7 +7,7 @@
 /// The simplicial ones are lists of triangles, oriented where they can be; polygons may have one vertex.
 
 #include "support/random.hpp"
-#include "tetrarch/mesh/marked_surface.hpp"
+#include "tetrarch/surface/marked_surface.hpp"
 
 #include <algorithm>
 #include <array>
@@ -21,12 +21,12 @@
 namespace tetrarch::support {
 
 struct TriangleList {
-  std::vector<mesh::Surface::Triangle> triangles;
+  std::vector<surface::Surface::Triangle> triangles;
   std::vector<std::array<double, 3>> points; ///< of each vertex, or empty
   int vertices = 0;
 
-  mesh::Surface surface() const { return {vertices, triangles}; }
-  mesh::MarkedSurface marked() const { return mesh::MarkedSurface(surface(), points); }
+  surface::Surface surface() const { return {vertices, triangles}; }
+  surface::MarkedSurface marked() const { return surface::MarkedSurface(surface(), points); }
 };
 
 /// The boundary of a tetrahedron: 4 triangles.
@@ -261,8 +261,8 @@ inline TriangleList with_holes(const TriangleList& mesh, int holes) {
 /// A polygon fanned from its first corner, word.size() - 2 triangles, with sides glued: +k and -k name the
 /// two copies of a side, reversed to one another; twice +k are a crosscap; a letter that occurs once is
 /// boundary. Needs three sides.
-inline mesh::Surface glued_polygon(const std::vector<int>& word) {
-  using mesh::Side;
+inline surface::Surface glued_polygon(const std::vector<int>& word) {
+  using surface::Side;
   const int n = static_cast<int>(word.size());
   Table<Side, Side> mate(3 * (n - 2));
   std::vector<char> turned(static_cast<std::size_t>(mate.size()), 0);
@@ -277,7 +277,7 @@ inline mesh::Surface glued_polygon(const std::vector<int>& word) {
   for (int k = 0; k < n; ++k)
     for (int l = k + 1; l < n; ++l)
       if (std::abs(word[k]) == std::abs(word[l])) glue(side(k), side(l), word[k] == word[l]);
-  return mesh::Surface(mate, turned);
+  return surface::Surface(mate, turned);
 }
 
 /// 1 2 -1 -2 3 4 -3 -4 ..., 4g letters.
@@ -354,7 +354,7 @@ private:
     }
     return mesh_.vertices++;
   }
-  void replace(int t, const mesh::Surface::Triangle& corners) {
+  void replace(int t, const surface::Surface::Triangle& corners) {
     for (int c = 0; c < 3; ++c) {
       const auto found = at_edge_.find(edge(t, c));
       auto& at = found->second;
@@ -364,7 +364,7 @@ private:
     mesh_.triangles[t] = corners;
     for (int c = 0; c < 3; ++c) at_edge_[edge(t, c)].push_back(t);
   }
-  void add(const mesh::Surface::Triangle& corners) {
+  void add(const surface::Surface::Triangle& corners) {
     mesh_.triangles.push_back(corners);
     for (int c = 0; c < 3; ++c) at_edge_[edge(count() - 1, c)].push_back(count() - 1);
   }

@@ -28,14 +28,14 @@ def load(path):
 
 notes = load(os.path.join(SOURCE, "tools/noted_tests"))
 
-# A small house. By the table of src/CMakeLists.txt, bundle uses core and mesh, which uses format, and algebra uses core alone.
+# A small house. By the table of src/CMakeLists.txt, bundle uses core and surface, which uses format, and algebra uses core alone.
 HOUSE = {
     "CMakeLists.txt": "", "CMakePresets.json": "", "src/CMakeLists.txt": "", "src/rooms.cmake": "",
     "tests/CMakeLists.txt": "", "tools/package/tetrarch-libraries.cmake": "",
     "include/tetrarch/core/a.hpp": "", "src/core/a.cpp": "", "src/core/private.hpp": "",
     "include/tetrarch/algebra/b.hpp": "", "src/algebra/b.cpp": "",
     "include/tetrarch/format/f.hpp": "", "src/format/f.cpp": "",
-    "include/tetrarch/mesh/m.hpp": "", "src/mesh/m.cpp": "",
+    "include/tetrarch/surface/m.hpp": "", "src/surface/m.cpp": "",
     "include/tetrarch/bundle/c.hpp": "", "src/bundle/c.cpp": "",
     "include/tetrarch/slit/d.hpp": "", "src/slit/d.cpp": "",
     "include/tetrarch/scene/e.hpp": "", "src/scene/e.cpp": "",
@@ -58,7 +58,7 @@ SETS_OFF = {
     "src/CMakeLists.txt": ALL, "src/rooms.cmake": ALL,
     "include/tetrarch/algebra/b.hpp": {"algebra.slow"}, "src/algebra/b.cpp": {"algebra.slow"},
     "include/tetrarch/format/f.hpp": {"algebra.slow", "bundle.slow"}, "src/format/f.cpp": {"algebra.slow", "bundle.slow"},
-    "include/tetrarch/mesh/m.hpp": {"algebra.slow", "bundle.slow"}, "src/mesh/m.cpp": {"algebra.slow", "bundle.slow"},
+    "include/tetrarch/surface/m.hpp": {"algebra.slow", "bundle.slow"}, "src/surface/m.cpp": {"algebra.slow", "bundle.slow"},
     "include/tetrarch/bundle/c.hpp": {"bundle.slow"}, "src/bundle/c.cpp": {"bundle.slow"},
     "include/tetrarch/slit/d.hpp": {"algebra.slow"}, "src/slit/d.cpp": {"algebra.slow"},
     "include/tetrarch/scene/e.hpp": set(), "src/scene/e.cpp": set(),
@@ -130,9 +130,9 @@ class House(Folder):
             self.assertEqual(self.selected(), set(), name)
 
     def test_a_new_file_and_a_lost_one_set_off_the_same(self):
-        self.write("src/mesh/new.cpp", "")
+        self.write("src/surface/new.cpp", "")
         self.assertEqual(self.selected(), {"algebra.slow", "bundle.slow"} | PICTURES)
-        os.remove(os.path.join(self.root, "src/mesh/new.cpp"))
+        os.remove(os.path.join(self.root, "src/surface/new.cpp"))
         os.remove(os.path.join(self.root, "src/bundle/c.cpp"))
         self.assertEqual(self.selected(), {"bundle.slow"} | PICTURES)
 

@@ -62,15 +62,18 @@ class Compiler(unittest.TestCase):
         self.assertEqual(seen("numeric"), {"numeric"})
         self.assertEqual(seen("core"), {"numeric", "core"})
         self.assertEqual(seen("moves"), {"numeric", "core", "moves"})
-        self.assertEqual(seen("mesh"), {"numeric", "core", "format", "mesh"})
+        self.assertEqual(seen("surface"), {"numeric", "core", "format", "surface"})
+        self.assertEqual(seen("solid"), {"numeric", "core", "solid"})
+        self.assertEqual(seen("doctor"), {"numeric", "core", "format", "surface", "solid", "doctor"})
+        self.assertEqual(seen("tetgen"), {"core", "format", "doctor", "tetgen"})
         self.assertEqual(seen("scene"), {"numeric", "core", "format", "scene"})
         self.assertEqual(seen("reasons"), {"core", "algebra", "moves", "reasons"})
         self.assertEqual(seen("enumeration"), {"numeric", "core", "enumeration"})
-        # Headers of mesh include headers of format, which bundle does not see for all that; so with slit.
-        self.assertEqual(seen("bundle"), {"numeric", "core", "mesh", "bundle"})
-        self.assertEqual(seen("product"), {"numeric", "core", "algebra", "mesh", "slit", "unfold", "product"})
+        self.assertEqual(seen("bundle"), {"numeric", "core", "surface", "bundle"})
+        # Headers of doctor include headers of format, which product does not see for all that.
+        self.assertEqual(seen("product"), {"numeric", "core", "algebra", "surface", "solid", "doctor", "slit", "unfold", "product"})
         # Headers of embed include headers of algebra and hyperbolic.
-        self.assertEqual(seen("show"), {"numeric", "core", "bundle", "diagram", "embed", "format", "mesh", "product", "scene", "show", "slit"})
+        self.assertEqual(seen("show"), {"numeric", "core", "bundle", "diagram", "embed", "format", "product", "scene", "show", "slit", "surface"})
 
     def test_the_header_of_headers_is_for_others(self):
         for room in ("core", "show"):

@@ -15,7 +15,7 @@ namespace {
 
 /// 3 x 2 x 1, as a file gives it.
 format::Soup brick() {
-  mesh::TetMesh mesh = support::box({3, 2, 1}, {3, 2, 1}, 0).mesh;
+  solid::TetMesh mesh = support::box({3, 2, 1}, {3, 2, 1}, 0).mesh;
   format::Soup soup;
   soup.points = std::move(mesh.points);
   soup.tetrahedra = std::move(mesh.tetrahedra);

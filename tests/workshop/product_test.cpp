@@ -76,7 +76,7 @@ void check_members(const SolidProduct& found) {
   CHECK(rest.empty());
 }
 
-PolycubeImage own_image(const mesh::TetMesh& mesh) {
+PolycubeImage own_image(const solid::TetMesh& mesh) {
   PolycubeImage polycube;
   polycube.name = "cubes";
   polycube.image = mesh.points;
@@ -101,7 +101,7 @@ TEST_CASE("a box is a product, and its hexahedra are cuboids of its volume", "[w
   ProductOptions options = between_ends(box);
   options.across = 4;
   options.layers = 3;
-  const SolidProduct found = solid_product(product::solid(box.mesh), options);
+  const SolidProduct found = solid_product(product::solid_of(box.mesh), options);
   CHECK(found.verdict() == Verdict::yes);
   CHECK(found.doubts().empty());
   REQUIRE(found.hexahedra);
@@ -128,7 +128,7 @@ TEST_CASE("the field of a box rises evenly, and so do its coordinates", "[worksh
   const support::Extrusion box = support::box({2, 1, 0.5}, {6, 3, 3});
   ProductOptions options = between_ends(box);
   options.height = 7;
-  const SolidProduct found = solid_product(product::solid(box.mesh), options);
+  const SolidProduct found = solid_product(product::solid_of(box.mesh), options);
   CHECK(found.verdict() == Verdict::yes);
   CHECK_FALSE(found.hexahedra);
   REQUIRE(found.fibered);
@@ -143,7 +143,7 @@ TEST_CASE("the field of a box rises evenly, and so do its coordinates", "[worksh
 
 TEST_CASE("a column that turns folds its coordinates: undecided, and each fold is told", "[workshop]") {
   const support::Extrusion turned = column(5);
-  const SolidProduct found = solid_product(product::solid(turned.mesh), between_ends(turned));
+  const SolidProduct found = solid_product(product::solid_of(turned.mesh), between_ends(turned));
   REQUIRE(found.fibered);
   CHECK(found.fibered->critical.none());
   REQUIRE(found.fibered->coordinates);
@@ -158,7 +158,7 @@ TEST_CASE("a column that turns folds its coordinates: undecided, and each fold i
 }
 
 TEST_CASE("a partition is searched for if nobody gives one", "[workshop]") {
-  const SolidProduct found = solid_product(product::solid(support::plate(2, 4, 2).mesh));
+  const SolidProduct found = solid_product(product::solid_of(support::plate(2, 4, 2).mesh));
   CHECK(found.sides.holes() == 2);
   REQUIRE(found.sides.triangles.size() == 5); // floor, ceiling, and three walls
   CHECK(found.sides.triangles[0] == found.sides.triangles[1]);
@@ -167,10 +167,10 @@ TEST_CASE("a partition is searched for if nobody gives one", "[workshop]") {
 }
 
 TEST_CASE("a solid that is its own polycube gets its cubes, without a partition", "[workshop]") {
-  const mesh::TetMesh box = support::box({2, 1, 1}, {2, 1, 1}, 0).mesh;
+  const solid::TetMesh box = support::box({2, 1, 1}, {2, 1, 1}, 0).mesh;
   ProductOptions options;
   options.polycube = own_image(box);
-  const SolidProduct found = solid_product(product::solid(box), options);
+  const SolidProduct found = solid_product(product::solid_of(box), options);
   CHECK(found.verdict() == Verdict::yes);
   CHECK(found.is_of_polycube());
   CHECK_FALSE(found.fibered);
@@ -185,36 +185,36 @@ TEST_CASE("a solid that is its own polycube gets its cubes, without a partition"
 }
 
 TEST_CASE("cubes do without a partition that cannot be had, unless somebody gave it", "[workshop]") {
-  const mesh::TetMesh box = support::box({2, 1, 1}, {2, 1, 1}, 0).mesh;
+  const solid::TetMesh box = support::box({2, 1, 1}, {2, 1, 1}, 0).mesh;
   ProductOptions options;
   options.name = "brick";
   options.polycube = own_image(box);
   options.partition = [](product::Solid) -> PartitionedSolid { throw InputError("no floor"); };
   options.wants_coordinates = true;
-  const SolidProduct found = solid_product(product::solid(box), options);
+  const SolidProduct found = solid_product(product::solid_of(box), options);
   CHECK(found.verdict() == Verdict::yes);
   CHECK(found.why_undivided == "brick: no floor");
   check_members(found);
   options.is_partition_given = true;
-  CHECK_THROWS_WITH(solid_product(product::solid(box), options), "brick: no floor");
+  CHECK_THROWS_WITH(solid_product(product::solid_of(box), options), "brick: no floor");
 }
 
 TEST_CASE("what cannot be is refused", "[workshop]") {
-  const mesh::TetMesh box = support::box({2, 1, 1}, {2, 1, 1}, 0).mesh;
+  const solid::TetMesh box = support::box({2, 1, 1}, {2, 1, 1}, 0).mesh;
   ProductOptions options;
   options.polycube = own_image(box);
   options.across = 3;
-  CHECK_THROWS_AS(solid_product(product::solid(box), options), PreconditionError);
+  CHECK_THROWS_AS(solid_product(product::solid_of(box), options), PreconditionError);
   options.across = 0;
   options.polycube->image.pop_back();
-  CHECK_THROWS_WITH(solid_product(product::solid(box), options), Catch::StartsWith("cubes: "));
+  CHECK_THROWS_WITH(solid_product(product::solid_of(box), options), Catch::StartsWith("cubes: "));
   CHECK_THROWS_AS(document_of(SolidProduct()), PreconditionError);
   CHECK_THROWS_AS(FiberedSolid().doubts(), PreconditionError);
 }
 
 TEST_CASE("critical points are a no, a floor without a map is none", "[workshop]") {
   const support::Extrusion box = support::box({1, 1, 1}, {3, 3, 3});
-  SolidProduct found = solid_product(product::solid(box.mesh), between_ends(box));
+  SolidProduct found = solid_product(product::solid_of(box.mesh), between_ends(box));
   REQUIRE(found.verdict() == Verdict::yes);
   found.fibered->floor.found = false;
   CHECK(found.verdict() == Verdict::undecided);
@@ -228,7 +228,7 @@ TEST_CASE("critical points are a no, a floor without a map is none", "[workshop]
 }
 
 TEST_CASE("hexahedra are improved inside and measured", "[workshop]") {
-  const product::Solid cube = product::solid(support::box({1, 1, 1}, {2, 2, 2}, 0).mesh);
+  const product::Solid cube = product::solid_of(support::box({1, 1, 1}, {2, 2, 2}, 0).mesh);
   MeasuredHexahedra found;
   found.of.mesh = eight_cubes({0.9, 0.8, 0.85});
   found.of.on_boundary.assign(found.of.mesh.points.size(), 1);

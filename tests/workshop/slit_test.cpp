@@ -18,7 +18,7 @@ using namespace tetrarch::workshop;
 
 namespace {
 
-HoledSurface holed(mesh::TriangleMesh mesh) {
+HoledSurface holed(surface::TriangleMesh mesh) {
   NumberedSurface surface;
   surface.mesh = std::move(mesh);
   return opened(surface);
@@ -214,7 +214,7 @@ TEST_CASE("a map as a document has a place for each corner", "[workshop]") {
 
 TEST_CASE("a surface is no distance from itself, turned and scaled", "[workshop]") {
   const HoledSurface ring = sample_surface("ring_two_holes.off");
-  mesh::TriangleMesh moved = ring.mesh();
+  surface::TriangleMesh moved = ring.mesh();
   for (auto& [x, y, z] : moved.points) std::tie(x, y, z) = std::tuple(-5 * y, 5 * x, 5 * z + 1);
   FingerprintOptions coarse;
   coarse.most_triangles = 2'000;

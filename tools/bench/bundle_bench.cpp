@@ -80,7 +80,7 @@ void unit_tangent_bundle(benchmark::State& state) {
   const support::TriangleList list =
       genus == 0 ? support::retriangulated(support::icosphere(5), random, 1000, (triangles - 8192) / 2)
                  : support::genus_surface(genus, side, side);
-  const mesh::MarkedSurface surface = list.marked();
+  const surface::MarkedSurface surface = list.marked();
   int tetrahedra = 0;
   for (auto _ : state) {
     const auto planned = plan(surface, {static_cast<int>(state.range(2)), {}, {}, {}});

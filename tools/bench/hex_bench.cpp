@@ -23,12 +23,12 @@ const product::Solid& turned_pipe(int n) {
   static std::map<int, product::Solid> all;
   const auto found = all.find(n);
   if (found != all.end()) return found->second;
-  mesh::TetMesh mesh = support::radial_pipe(0.5, n).mesh;
+  solid::TetMesh mesh = support::radial_pipe(0.5, n).mesh;
   for (auto& p : mesh.points) {
     p = {0.8 * p[0] - 0.6 * p[1], 0.6 * p[0] + 0.8 * p[1], p[2]};
     p = {p[0], 0.8 * p[1] - 0.6 * p[2], 0.6 * p[1] + 0.8 * p[2]};
   }
-  return all.emplace(n, product::solid(mesh)).first->second;
+  return all.emplace(n, product::solid_of(mesh)).first->second;
 }
 
 /// Time by the stage that reported last.

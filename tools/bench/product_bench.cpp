@@ -5,9 +5,9 @@
 /// each vertex to the floor. Counter `bytes`: what the process holds at most.
 
 #include "product/solids.hpp"
-#include "tetrarch/mesh/edge_weights.hpp"
 #include "tetrarch/product/critical.hpp"
 #include "tetrarch/product/product.hpp"
+#include "tetrarch/solid/edge_weights.hpp"
 
 #include <Eigen/IterativeLinearSolvers>
 #include <Eigen/SparseCore>
@@ -32,7 +32,7 @@ const Made& made(int n) {
   const auto found = all.find(n);
   if (found != all.end()) return found->second;
   const support::Extrusion from = support::radial_pipe(0.5, n);
-  Made m{solid(from.mesh), {}, {}};
+  Made m{solid_of(from.mesh), {}, {}};
   m.partition = partition(m.solid, support::bases(m.solid, from));
   m.w = harmonic_field(m.solid, m.partition).w;
   return all.emplace(n, std::move(m)).first->second;
@@ -47,7 +47,7 @@ void note_size(benchmark::State& state, const Made& m) {
 
 void SolidOfMesh(benchmark::State& state) {
   const Made& m = made(static_cast<int>(state.range(0)));
-  for (auto _ : state) benchmark::DoNotOptimize(solid(m.solid.mesh));
+  for (auto _ : state) benchmark::DoNotOptimize(solid_of(m.solid.mesh));
   note_size(state, m);
 }
 
@@ -70,7 +70,7 @@ void BareSolver(benchmark::State& state) {
     if (base[v] < 0) unknown[v] = size++;
   std::vector<Eigen::Triplet<double>> entries;
   Eigen::VectorXd right = Eigen::VectorXd::Zero(size);
-  for (const mesh::WeightedEdge& e : mesh::edge_weights(m.solid.mesh)) {
+  for (const solid::WeightedEdge& e : solid::edge_weights(m.solid.mesh)) {
     const int a = unknown[e.from];
     const int b = unknown[e.to];
     if (a >= 0) entries.emplace_back(a, a, e.weight);

@@ -14,8 +14,8 @@
 
 #include "support/planar_domains.hpp"
 #include "support/random.hpp"
-#include "tetrarch/mesh/laplacian.hpp"
 #include "tetrarch/slit/slit_map.hpp"
+#include "tetrarch/surface/laplacian.hpp"
 
 #include <benchmark/benchmark.h>
 
@@ -35,7 +35,7 @@ using namespace tetrarch;
 using Matrix = Eigen::SparseMatrix<double>;
 
 /// The same domain with triangles and vertices named at random, as files of other programs may have them.
-mesh::TriangleMesh shuffled(const mesh::TriangleMesh& mesh) {
+surface::TriangleMesh shuffled(const surface::TriangleMesh& mesh) {
   support::Random random(1);
   const auto permutation = [&](std::size_t size) {
     std::vector<int> names(size);
@@ -51,11 +51,11 @@ mesh::TriangleMesh shuffled(const mesh::TriangleMesh& mesh) {
     const auto& [a, b, c] = mesh.surface.corners(t);
     soup.triangles.push_back({name[a], name[b], name[c]});
   }
-  return mesh::build_surface(std::move(soup));
+  return doctor::build_surface(std::move(soup));
 }
 
 /// A ring of modulus 2 with loops - 2 slits of a sixth of a turn, and about so many triangles.
-mesh::TriangleMesh domain(int triangles, int loops, bool shuffle) {
+surface::TriangleMesh domain(int triangles, int loops, bool shuffle) {
   support::CylinderGrid grid;
   grid.height = 2;
   // Squares: sectors / rings = 2 pi / height.
@@ -63,7 +63,7 @@ mesh::TriangleMesh domain(int triangles, int loops, bool shuffle) {
   grid.sectors = static_cast<int>(triangles / (2.0 * grid.rings));
   for (int k = 1; k <= loops - 2; ++k)
     grid.cracks.push_back({grid.rings * k / (loops - 1), grid.sectors * k / loops, grid.sectors / 6});
-  mesh::TriangleMesh mesh = support::slit_ring(grid, [](std::complex<double> z) { return z; }).mesh;
+  surface::TriangleMesh mesh = support::slit_ring(grid, [](std::complex<double> z) { return z; }).mesh;
   return shuffle ? shuffled(mesh) : mesh;
 }
 
@@ -73,22 +73,22 @@ struct System {
   Eigen::MatrixXd right;
 };
 
-System system_of(const mesh::TriangleMesh& mesh) {
-  const mesh::Surface& surface = mesh.surface;
-  const auto loops = mesh::boundary_loops(mesh);
+System system_of(const surface::TriangleMesh& mesh) {
+  const surface::Surface& surface = mesh.surface;
+  const auto loops = surface::boundary_loops(mesh);
   std::vector<int> loop(mesh.points.size(), -1);
   for (std::size_t k = 0; k < loops.size(); ++k)
-    for (const mesh::SideEnd e : loops[k].sides) loop[surface.vertex(e)] = static_cast<int>(k);
+    for (const surface::SideEnd e : loops[k].sides) loop[surface.vertex(e)] = static_cast<int>(k);
   std::vector<int> unknown(mesh.points.size(), -1);
   int count = 0;
   for (std::size_t v = 0; v < loop.size(); ++v)
     if (loop[v] < 0) unknown[v] = count++;
   System system{Matrix(count, count), Eigen::MatrixXd::Zero(count, static_cast<int>(loops.size()) - 1)};
   std::vector<Eigen::Triplet<double>> entries;
-  const auto weight = mesh::half_cotangents(mesh);
+  const auto weight = surface::half_cotangents(mesh);
   for (int k = 0; k < surface.side_count(); ++k) {
-    const int v = surface.from(mesh::Side(k));
-    const int u = surface.to(mesh::Side(k));
+    const int v = surface.from(surface::Side(k));
+    const int u = surface.to(surface::Side(k));
     for (const auto& [here, there] : {std::pair(v, u), std::pair(u, v)}) {
       if (unknown[here] < 0) continue;
       entries.emplace_back(unknown[here], unknown[here], weight[k]);
@@ -155,7 +155,7 @@ void add_time(Seconds& sum, const Job& job) {
 }
 
 void concentric_domain(benchmark::State& state) {
-  const mesh::TriangleMesh mesh =
+  const surface::TriangleMesh mesh =
       domain(static_cast<int>(state.range(0)), static_cast<int>(state.range(1)), state.range(2) != 0);
   System system = system_of(mesh);
   Seconds ours;
@@ -163,7 +163,7 @@ void concentric_domain(benchmark::State& state) {
   Seconds bare_amd;
   for (auto _ : state) {
     Seconds before = ours;
-    mesh::TriangleMesh copy = mesh;
+    surface::TriangleMesh copy = mesh;
     add_time(ours, [&] {
       const slit::OneForms forms(std::move(copy));
       const slit::SlitMap map = slit::slit_map(forms, 0, 1);

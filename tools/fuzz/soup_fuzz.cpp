@@ -4,11 +4,12 @@
 // likewise, and their boundary loops can be told.
 #include "fuzz.hpp"
 #include "tetrarch/core/check.hpp"
+#include "tetrarch/doctor/build.hpp"
+#include "tetrarch/doctor/repair.hpp"
+#include "tetrarch/doctor/validate.hpp"
+#include "tetrarch/doctor/validate_surface.hpp"
 #include "tetrarch/format/mesh_files.hpp"
-#include "tetrarch/mesh/boundary_loops.hpp"
-#include "tetrarch/mesh/repair.hpp"
-#include "tetrarch/mesh/tet_mesh.hpp"
-#include "tetrarch/mesh/validate.hpp"
+#include "tetrarch/surface/boundary_loops.hpp"
 
 namespace {
 
@@ -31,14 +32,14 @@ void require_round_trips(const format::Soup& soup) {
 }
 
 void check_surface(const format::Soup& soup) {
-  const mesh::Report report = mesh::validate_surface(soup);
-  const mesh::Repaired repaired = mesh::repair(soup);
-  fuzz::require(report.count(mesh::Kind::index_out_of_range) > 0 ||
-                    mesh::validate_surface(repaired.soup).count(mesh::Severity::repairable) == 0,
+  const doctor::Report report = doctor::validate_surface(soup);
+  const doctor::Repaired repaired = doctor::repair(soup);
+  fuzz::require(report.count(doctor::Kind::index_out_of_range) > 0 ||
+                    doctor::validate_surface(repaired.soup).count(doctor::Severity::repairable) == 0,
                 "what is repaired needs no more repair");
-  const mesh::TriangleMesh made = mesh::build_surface(repaired.soup);
-  fuzz::require(static_cast<int>(mesh::boundary_loops(made).size()) ==
-                    mesh::type_of(made.surface).boundary_curves,
+  const surface::TriangleMesh made = doctor::build_surface(repaired.soup);
+  fuzz::require(static_cast<int>(surface::boundary_loops(made).size()) ==
+                    surface::type_of(made.surface).boundary_curves,
                 "every boundary curve is a loop");
 }
 
@@ -52,12 +53,12 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       check_surface(soup);
       return 0;
     }
-    const mesh::Report report = mesh::validate(soup);
-    const mesh::Repaired repaired = mesh::repair(soup);
-    fuzz::require(report.count(mesh::Kind::index_out_of_range) > 0 ||
-                      mesh::validate(repaired.soup).count(mesh::Severity::repairable) == 0,
+    const doctor::Report report = doctor::validate(soup);
+    const doctor::Repaired repaired = doctor::repair(soup);
+    fuzz::require(report.count(doctor::Kind::index_out_of_range) > 0 ||
+                      doctor::validate(repaired.soup).count(doctor::Severity::repairable) == 0,
                   "what is repaired needs no more repair");
-    const Triangulation tri = mesh::triangulation_of(mesh::build(repaired.soup));
+    const Triangulation tri = solid::triangulation_of(doctor::build(repaired.soup));
     fuzz::require(is_valid(Skeleton(tri)), "what is valid becomes a manifold");
   } catch (const InputError& error) {
     fuzz::require_one_line(error);

@@ -81,7 +81,7 @@ void require_used(const BundleArguments& options, const SurfaceType& type, std::
 PlanOptions plan_options(const BundleArguments& options, const SurfaceInput& surface) {
   PlanOptions plan = options.plan;
   plan.cut = options.cut == "any" ? PlanOptions::Cut::any : PlanOptions::Cut::dissertation;
-  const SurfaceType type = mesh::type_of(surface.mesh.surface);
+  const SurfaceType type = surface::type_of(surface.mesh.surface);
   if (plan.fiber < 1 || plan.fiber > 1'000'000)
     throw InputError("--fiber " + std::to_string(plan.fiber) + ": expected 1 to 1000000 edges");
   if (options.twist) {

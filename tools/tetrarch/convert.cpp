@@ -6,11 +6,11 @@
 #include "text.hpp"
 
 #include "tetrarch/core/error.hpp"
+#include "tetrarch/doctor/boundary_surface.hpp"
 #include "tetrarch/format/mesh_files.hpp"
 #include "tetrarch/format/mesh_json.hpp"
 #include "tetrarch/format/read.hpp"
 #include "tetrarch/format/text.hpp"
-#include "tetrarch/mesh/boundary_surface.hpp"
 
 #include <filesystem>
 #include <memory>
@@ -58,7 +58,7 @@ Result convert_mesh(const ConvertArguments& options, format::MeshFormat to, cons
   result.warnings = mend(soup, options.doctor);
   if (holds_surfaces_only(to) && !soup.tetrahedra.empty()) {
     const auto tetrahedra = static_cast<long long>(soup.tetrahedra.size());
-    soup = mesh::boundary_surface(soup);
+    soup = doctor::boundary_surface(soup);
     result.warnings.push_back("the boundary of " + counted(tetrahedra, "tetrahedron") + " was written, " +
                               counted(static_cast<long long>(soup.triangles.size()), "triangle"));
   }

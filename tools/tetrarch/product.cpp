@@ -10,8 +10,8 @@
 #include "vertex_names.hpp"
 
 #include "tetrarch/core/error.hpp"
+#include "tetrarch/doctor/build.hpp"
 #include "tetrarch/format/text.hpp"
-#include "tetrarch/mesh/validate.hpp"
 #include "tetrarch/scene/files.hpp"
 #include "tetrarch/workshop/product.hpp"
 
@@ -56,27 +56,27 @@ void check_outputs(const ProductArguments& options) {
 }
 
 /// Tetrahedra without volume are told by the numbers and lines of the file.
-void refuse_volumes(const format::Soup& soup, const mesh::Report& report) {
-  const auto bad = [](const mesh::Finding& f) {
-    return f.kind == mesh::Kind::inverted || f.kind == mesh::Kind::folded || f.kind == mesh::Kind::flat;
+void refuse_volumes(const format::Soup& soup, const doctor::Report& report) {
+  const auto bad = [](const doctor::Finding& f) {
+    return f.kind == doctor::Kind::inverted || f.kind == doctor::Kind::folded || f.kind == doctor::Kind::flat;
   };
   const auto found = std::find_if(report.findings.begin(), report.findings.end(), bad);
   if (found == report.findings.end()) return;
-  const std::int64_t count =
-      report.count(mesh::Kind::inverted) + report.count(mesh::Kind::folded) + report.count(mesh::Kind::flat);
+  const std::int64_t count = report.count(doctor::Kind::inverted) + report.count(doctor::Kind::folded) +
+                             report.count(doctor::Kind::flat);
   throw InputError(
-      mesh::place_of(*found, soup),
+      doctor::place_of(*found, soup),
       found->text + (count > 1 ? ", and " + std::to_string(count - 1) + " more of this kind" : "") +
-          (found->kind == mesh::Kind::inverted ? " (--repair turns inverted tetrahedra over)" : ""));
+          (found->kind == doctor::Kind::inverted ? " (--repair turns inverted tetrahedra over)" : ""));
 }
 
 /// Bad elements are told by the file's own numbers and lines.
-mesh::TetMesh mesh_of(format::Soup soup, std::vector<std::string>& warnings) {
-  const mesh::Report findings = mesh::validate(soup, 1);
-  if (findings.count(mesh::Severity::fatal) == 0) refuse_volumes(soup, findings);
-  if (const std::int64_t unused = findings.count(mesh::Kind::unused_vertex); unused > 0)
+solid::TetMesh mesh_of(format::Soup soup, std::vector<std::string>& warnings) {
+  const doctor::Report findings = doctor::validate(soup, 1);
+  if (findings.count(doctor::Severity::fatal) == 0) refuse_volumes(soup, findings);
+  if (const std::int64_t unused = findings.count(doctor::Kind::unused_vertex); unused > 0)
     warnings.push_back("passed over: " + counted(unused, "vertex") + " in no tetrahedron");
-  return mesh::build(std::move(soup), findings);
+  return doctor::build(std::move(soup), findings);
 }
 
 product::FloorOptions floor_options(const ProductArguments& options) {
@@ -171,7 +171,7 @@ Result run_product(const ProductArguments& options, const Context& context) {
   format::Soup soup = read_soup(options.input, context);
   result.warnings = mend(soup, options.doctor);
   product::Solid solid =
-      in_file(options.input, [&] { return product::solid(mesh_of(soup, result.warnings)); });
+      in_file(options.input, [&] { return product::solid_of(mesh_of(soup, result.warnings)); });
   const workshop::SolidProduct found =
       workshop::solid_product(std::move(solid), product_options(options, soup, context), context.progress);
   result.status = status_of(found.verdict());

@@ -28,10 +28,10 @@ bool asks_for_type(const SlitArguments& options) {
 }
 
 /// What the map would refuse, said before a loop is missed.
-void check_type(const mesh::Surface& surface, const SlitArguments& options, const std::string& path) {
+void check_type(const surface::Surface& surface, const SlitArguments& options, const std::string& path) {
   const bool one_is_enough = (options.is_circular() || options.is_rectangle()) && !asks_for_type(options);
   const std::string why = workshop::why_not_mapped(surface, one_is_enough ? 1 : 2);
-  if (!why.empty()) throw InputError({path, 0}, why + way_on(mesh::type_of(surface)));
+  if (!why.empty()) throw InputError({path, 0}, why + way_on(surface::type_of(surface)));
 }
 
 /// Options that a surface with so many loops gives nothing to do.

@@ -19,7 +19,7 @@ std::string quads_file(const slit::QuadMesh& quads, scene::SceneFormat format) {
 }
 
 std::string slit_page(const workshop::ConformalMap& found, const std::string& input) {
-  const mesh::TriangleMesh& mesh = found.surface.mesh();
+  const surface::TriangleMesh& mesh = found.surface.mesh();
   scene::InfoTable table{"Map", {}, {}};
   for (const auto& [name, value] : map_rows(found)) table.rows.push_back({name, value});
   return scene::write_page(scene::TexturePage{input + ": " + found.layout.name,
@@ -39,7 +39,7 @@ format::MeshDocument slit_document(const workshop::ConformalMap& found, const st
 
 std::string slit_file(const std::string& path, const workshop::ConformalMap& found,
                       const std::string& input) {
-  const mesh::TriangleMesh& mesh = found.surface.mesh();
+  const surface::TriangleMesh& mesh = found.surface.mesh();
   if (format::has_extension(path, ".json")) return write_mesh_json(slit_document(found, input));
   if (format::has_extension(path, ".svg")) return scene::write_svg(show::slit_drawing(mesh, found.layout));
   if (format::has_extension(path, ".html")) return slit_page(found, input);

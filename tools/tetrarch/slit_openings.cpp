@@ -15,7 +15,7 @@
 namespace tetrarch::program {
 namespace {
 
-mesh::RoundHole round_hole(const std::string& word) {
+surface::RoundHole round_hole(const std::string& word) {
   const std::size_t colon = word.find(':');
   const auto vertex = vertex_in(std::string_view(word).substr(0, colon));
   const auto radius = colon == std::string::npos
@@ -44,7 +44,7 @@ int loop_named(const std::string& name, const char* option, const workshop::Hole
   const auto number = vertex_in(name);
   if (!number)
     throw refusal(option, name, "expected the number of a loop, or v17 for the loop through vertex 17");
-  const std::vector<mesh::BoundaryLoop>& loops = surface.loops;
+  const std::vector<surface::BoundaryLoop>& loops = surface.loops;
   if (!name.starts_with('v')) {
     if (*number < static_cast<long long>(loops.size())) return static_cast<int>(*number);
     throw refusal(option, name,
@@ -53,7 +53,7 @@ int loop_named(const std::string& name, const char* option, const workshop::Hole
   }
   // A vertex that was cut through is there twice, on two loops perhaps: the first one is meant.
   for (std::size_t k = 0; k < loops.size(); ++k)
-    for (const mesh::SideEnd e : loops[k].sides)
+    for (const surface::SideEnd e : loops[k].sides)
       if (surface.opened.number[surface.mesh().surface.vertex(e)] == *number) return static_cast<int>(k);
   throw refusal(option, name, "no boundary loop runs through this vertex");
 }
@@ -67,7 +67,7 @@ slit::LoopPair circles_named(const std::string& outer, const std::string& inner,
 int vertex_named(const std::string& name, const char* option, const workshop::HoledSurface& surface) {
   const auto number = name.starts_with('v') ? vertex_in(name) : std::nullopt;
   if (!number) throw refusal(option, name, "expected a vertex, such as v17");
-  return mesh::vertex_numbered(surface.opened, *number);
+  return surface::vertex_numbered(surface.opened, *number);
 }
 
 } // namespace tetrarch::program

@@ -47,7 +47,7 @@ Shift inverse(Shift shift, bool turned);
 
 /// The data from which a bundle is made.
 struct Recipe {
-  mesh::Surface base;
+  surface::Surface base;
   int fiber = 1;                  ///< N >= 1, the resolution
   std::vector<Shift> shift;       ///< of each side; mates have inverse ones
   std::vector<std::int8_t> value; ///< of each side, as in a cutting pattern
@@ -55,7 +55,7 @@ struct Recipe {
 
 /// The bundle over `base`, and how its tetrahedra lie over it.
 struct CircleBundle {
-  mesh::Surface base;
+  surface::Surface base;
   int fiber = 1;
   /// 3 * fiber * (triangles of the base) tetrahedra: number 3 * (fiber * t + j) + k is the k-th from below in
   /// the prism of level j over triangle t.

@@ -6,19 +6,19 @@
 /// Its mates run in opposite directions, and its boundary runs along its sides, so that the disk lies to the
 /// left. Coarse covering disks have triangles glued to themselves and edges that are loops.
 
-#include "tetrarch/mesh/surface.hpp"
+#include "tetrarch/surface/surface.hpp"
 
 #include <vector>
 
 namespace tetrarch::bundle {
 
-using mesh::Side;
-using mesh::sides_of;
+using surface::Side;
+using surface::sides_of;
 
 /// A surface that is a disk.
-class Disk : public mesh::Surface {
+class Disk : public surface::Surface {
 public:
-  /// From the corners of triangles of consistent orientation; as `mesh::Surface`, and throws `InputError`
+  /// From the corners of triangles of consistent orientation; as `surface::Surface`, and throws `InputError`
   /// unless this is a disk: all mates run in opposite directions, connected, with boundary, V - E + F = 1.
   /// O(n).
   Disk(int vertices, std::vector<Triangle> triangles);

@@ -16,7 +16,7 @@
 /// Yin, 6.2 to 6.4 and 7.2 to 7.4.
 
 #include "tetrarch/bundle/circle_bundle.hpp"
-#include "tetrarch/mesh/marked_surface.hpp"
+#include "tetrarch/surface/marked_surface.hpp"
 
 #include <array>
 #include <string>
@@ -34,7 +34,7 @@ struct Band {
 /// The two banks of each curve, that of positive mark first, by curve. A curve is the edges of one mark,
 /// which must follow each other; a closed one starts with the side of least number. Throws
 /// `PreconditionError` if they do not. O(n).
-std::vector<std::array<Band, 2>> bands(const mesh::MarkedSurface& cut);
+std::vector<std::array<Band, 2>> bands(const surface::MarkedSurface& cut);
 
 /// The steps by which the fibers of a curve turn from its beginning to its end: N for each whole turn.
 int twist_along(const Band& band, const Recipe& recipe);

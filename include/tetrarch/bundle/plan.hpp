@@ -15,7 +15,7 @@
 /// spread over the last loops.
 
 #include "tetrarch/bundle/circle_bundle.hpp"
-#include "tetrarch/mesh/marked_surface.hpp"
+#include "tetrarch/surface/marked_surface.hpp"
 
 #include <cstdint>
 #include <optional>
@@ -36,9 +36,9 @@ struct PlanOptions {
 /// How the bundle is made: where the surface is cut, and where it is twisted.
 struct Plan {
   enum class Method : std::uint8_t { disk, equator, canonical_loops, cut_graph } method = Method::disk;
-  mesh::MarkedSurface cut; ///< the surface, refined, some of its triangles turned over
-  Recipe recipe;           ///< of the refined surface
-  int euler = 0;           ///< 0 also where there is boundary
+  surface::MarkedSurface cut; ///< the surface, refined, some of its triangles turned over
+  Recipe recipe;              ///< of the refined surface
+  int euler = 0;              ///< 0 also where there is boundary
   /// Splits in all; the history is `cut.splits`.
   int splits() const { return static_cast<int>(cut.splits.size()); }
 };
@@ -47,7 +47,7 @@ struct Plan {
 /// `PreconditionError` if it is not connected, if the resolution is less than 1, or if the surface can have
 /// no Euler number or no boundary values but gets some. Coordinates may be of any finite size. Near-linear,
 /// times the genus.
-[[nodiscard]] std::variant<Plan, Obstruction> plan(mesh::MarkedSurface surface, const PlanOptions& options,
+[[nodiscard]] std::variant<Plan, Obstruction> plan(surface::MarkedSurface surface, const PlanOptions& options,
                                                    const Progress& progress = {});
 
 } // namespace tetrarch::bundle

@@ -84,7 +84,7 @@ inline long long point_number(const Soup& soup, int index) {
 }
 
 /// Throws InputError that names file, line and coordinate if one is infinite or no number. Every reader and
-/// writer of meshes asks; `mesh::validate` does so of soups that no file stands behind. O(points).
+/// writer of meshes asks; `doctor::validate` does so of soups that no file stands behind. O(points).
 void require_finite(const Soup& soup);
 
 } // namespace tetrarch::format

@@ -22,6 +22,10 @@ inline double cross(std::complex<double> a, std::complex<double> b) {
 /// A triangle of space: corner 0 at 0, corner 1 on the positive real axis.
 FlatTriangle laid_flat(const std::vector<Point>& points, const std::array<int, 3>& corners);
 
+/// The cotangent of the angle at `apex` of a triangle of space, whatever its size; infinite or no number
+/// where it has no area.
+double cotangent(const Point& apex, const Point& from, const Point& to);
+
 /// Positive where the corners are counterclockwise.
 double twice_area(const FlatTriangle& p);
 

@@ -20,8 +20,8 @@
 /// position of the solid. Source: after Yin, section 3.4.1, who flows from seeds.
 
 #include "tetrarch/core/progress.hpp"
-#include "tetrarch/mesh/split_edges.hpp"
 #include "tetrarch/product/partition.hpp"
+#include "tetrarch/solid/split_edges.hpp"
 
 #include <optional>
 #include <string>
@@ -49,7 +49,7 @@ struct Automatic {
   double score = 0;
   std::string how; ///< in words: which way, which axis
   /// Split k made vertex n + k of a solid with n vertices; its ends may be vertices made before.
-  std::vector<mesh::EdgePoint> splits;
+  std::vector<solid::EdgePoint> splits;
 };
 
 /// Nothing if no way led to a partition, which proves nothing about the solid. O(axes thresholds n) at worst.

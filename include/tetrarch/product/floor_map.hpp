@@ -13,8 +13,8 @@
 /// in the middle; of more, the centroid of the floor goes there. Source: Yin, section 3.4.2.
 
 #include "tetrarch/core/progress.hpp"
-#include "tetrarch/mesh/triangle_mesh.hpp"
 #include "tetrarch/product/partition.hpp"
+#include "tetrarch/surface/triangle_mesh.hpp"
 
 #include <array>
 #include <complex>
@@ -26,7 +26,7 @@ namespace tetrarch::product {
 enum class FloorDomain : std::uint8_t { circular, rectangle };
 
 struct FloorMap {
-  mesh::TriangleMesh mesh;                    ///< the floor, its triangles turned
+  surface::TriangleMesh mesh;                 ///< the floor, its triangles turned
   std::vector<int> vertex;                    ///< of each of its vertices, that of the solid
   std::vector<int> triangle;                  ///< of each of its triangles, that of the solid's boundary
   std::vector<std::complex<double>> position; ///< of each vertex

@@ -32,14 +32,14 @@ struct Polycube {
 /// has area, and all triangles together cover exactly the faces of a set of cubes, seen from outside;
 /// PreconditionError unless there is an image of each vertex, `step` > 0 and `cells` >= 1. O(m + c) for m
 /// triangles and c cubes of the bounding box.
-Polycube filled_polycube(const mesh::Surface& boundary, const std::vector<Point>& image, double step = 1,
+Polycube filled_polycube(const surface::Surface& boundary, const std::vector<Point>& image, double step = 1,
                          int cells = 1);
 
 /// One for each cube, in order; points are numbered by first use. O(n).
 HexMesh hexahedra(const Polycube& polycube);
 /// Six for each cube, around its diagonal, on the same points. Throws InputError where cubes touch along an
 /// edge or at a point only. O(n log n).
-mesh::TetMesh tetrahedra(const Polycube& polycube);
+solid::TetMesh tetrahedra(const Polycube& polycube);
 
 struct PolycubeOptions {
   double step = 1; ///< of the lattice on which the polycube's corners lie

@@ -3,16 +3,16 @@
 
 /// A solid: a tetrahedral mesh that fills the inside of one closed surface.
 ///
-///        .-------.        The promise, beyond that of `mesh::TetMesh`: the tetrahedra hang together through
+///        .-------.        The promise, beyond that of `solid::TetMesh`: the tetrahedra hang together through
 ///       /  .-.  /|        faces, each has positive volume, and their outer faces make one closed surface,
 ///      .--'---'. |        which is given as such, seen from outside. A surface vertex and the mesh vertex
 ///      |       |/         that it is go by different numbers.
 ///      '-------'
 
 #include "tetrarch/core/triangulation.hpp"
-#include "tetrarch/mesh/surface.hpp"
-#include "tetrarch/mesh/tet_mesh.hpp"
 #include "tetrarch/numeric/vector.hpp"
+#include "tetrarch/solid/tet_mesh.hpp"
+#include "tetrarch/surface/surface.hpp"
 
 #include <array>
 #include <vector>
@@ -23,9 +23,9 @@ using numeric::Point;
 
 /// A mesh of a solid, with its gluings and its boundary.
 struct Solid {
-  mesh::TetMesh mesh;
+  solid::TetMesh mesh;
   Triangulation gluings;        ///< tetrahedron t of the mesh is tetrahedron t, its v-th point vertex v
-  mesh::Surface boundary;       ///< triangles counterclockwise seen from outside
+  surface::Surface boundary;    ///< triangles counterclockwise seen from outside
   std::vector<int> vertex;      ///< of each vertex of the boundary, that of the mesh
   std::vector<int> on_boundary; ///< of each vertex of the mesh, that of the boundary; -1 inside
   std::vector<TetFace> face;    ///< of each triangle of the boundary
@@ -42,7 +42,7 @@ struct Solid {
 
 /// Throws InputError with the tetrahedron (counted from 0) or a description of the boundary, unless the mesh
 /// keeps the promise. Signs of volumes are exact. Linear but for sorting faces.
-Solid solid(mesh::TetMesh mesh);
+Solid solid_of(solid::TetMesh mesh);
 
 /// The sum over the tetrahedra. O(n).
 double volume(const Solid& solid);

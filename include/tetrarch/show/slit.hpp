@@ -48,15 +48,15 @@ Layout layout(const slit::OneForms& forms, const slit::SlitMap& map, SlitDomain 
 /// One form of the basis: (potential, conjugate), torn along the strips across which the conjugate jumps.
 Layout basis_layout(const slit::OneForms& forms, int loop);
 /// Vertices in the unit disk.
-Layout disk_layout(const mesh::TriangleMesh& mesh, const std::vector<std::complex<double>>& position);
+Layout disk_layout(const surface::TriangleMesh& mesh, const std::vector<std::complex<double>>& position);
 
 /// Vertices anywhere in the plane: the whole is moved to where both axes start at 0, and its texture fits the
 /// unit square.
-Layout plane_layout(const mesh::TriangleMesh& mesh, const std::vector<std::complex<double>>& position,
+Layout plane_layout(const surface::TriangleMesh& mesh, const std::vector<std::complex<double>>& position,
                     const std::string& name);
 
 /// The domain as a surface in space, its loops as tubes: in the plane z = 0, or about the z axis.
-scene::Scene slit_domain(const mesh::TriangleMesh& mesh, const Layout& layout);
+scene::Scene slit_domain(const surface::TriangleMesh& mesh, const Layout& layout);
 
 /// The surface itself with its texture coordinates, its loops as tubes. Vertices keep their numbers; doubles
 /// of those on the seam follow.
@@ -64,14 +64,14 @@ struct Fields {
   std::vector<scene::Field> triangles;
   std::vector<scene::Field> vertices;
 };
-scene::Scene textured_surface(const mesh::TriangleMesh& mesh, const Layout& layout,
+scene::Scene textured_surface(const surface::TriangleMesh& mesh, const Layout& layout,
                               const Fields& fields = {});
 
 /// The surface as OBJ with texture coordinates for each corner: exactly its vertices and triangles, in their
 /// order, so that the seam doubles texture coordinates only.
-std::string textured_obj(const mesh::TriangleMesh& mesh, const Layout& layout);
+std::string textured_obj(const surface::TriangleMesh& mesh, const Layout& layout);
 
 /// The triangulation thin, loops thick and colored.
-scene::Drawing slit_drawing(const mesh::TriangleMesh& mesh, const Layout& layout);
+scene::Drawing slit_drawing(const surface::TriangleMesh& mesh, const Layout& layout);
 
 } // namespace tetrarch::show

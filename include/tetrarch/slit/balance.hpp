@@ -33,7 +33,7 @@ Balanced balance_on_cylinder(const OneForms& forms, SlitMap& map, const Progress
 /// On the ring, where edges are straight.
 Balanced balance_on_ring(const OneForms& forms, SlitMap& map, const Progress& progress = {});
 /// In the disk with round holes.
-Balanced balance_in_disk(const mesh::TriangleMesh& mesh, CircularMap& map, const Progress& progress = {});
+Balanced balance_in_disk(const surface::TriangleMesh& mesh, CircularMap& map, const Progress& progress = {});
 
 /// What was done at the ends of slits.
 struct Softened {
@@ -61,7 +61,7 @@ struct FreeMap {
 /// From a map into the plane on: the boundary moves as well, and the surface keeps its size. Triangles that
 /// meet others along one side only start with their shape in space, as round holes have no room for them.
 /// O(n) and a factorization a step; crossings by a sweep.
-FreeMap free_map(const mesh::TriangleMesh& mesh, const std::vector<std::complex<double>>& start,
+FreeMap free_map(const surface::TriangleMesh& mesh, const std::vector<std::complex<double>>& start,
                  const Progress& progress = {});
 
 } // namespace tetrarch::slit

@@ -35,11 +35,11 @@ CircularMap circular_map(const OneForms& forms, const SlitMap& map, const Circul
 /// itself, where it is rough, it is not used. Throws InputError unless the mesh is an oriented disk with
 /// vertex `center` inside, or if edges of the loop see so little of the center that doubles do not tell their
 /// ends apart on the circle. One sparse factorization, three right-hand sides.
-CircularMap disk_map(const mesh::TriangleMesh& mesh, int center);
+CircularMap disk_map(const surface::TriangleMesh& mesh, int center);
 
 /// A vertex with as many edges between it and the boundary as any; -1 if all vertices are on the boundary.
 /// O(n).
-[[nodiscard]] int innermost_vertex(const mesh::TriangleMesh& mesh);
+[[nodiscard]] int innermost_vertex(const surface::TriangleMesh& mesh);
 
 /// The places of the vertices after this many slits were opened: stage 0 is the ring, the last one the domain
 /// of `circular_map` before its circles are made round.

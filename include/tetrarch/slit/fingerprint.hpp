@@ -39,7 +39,7 @@ struct Fingerprint {
 
 /// Triangulations have at most `most_triangles`, except the first one. Throws as `OneForms` and `slit_map`.
 /// Without a pair, `farthest_loops` are the outer and the inner loop.
-Fingerprint fingerprint(const mesh::TriangleMesh& mesh, std::optional<LoopPair> pair = {},
+Fingerprint fingerprint(const surface::TriangleMesh& mesh, std::optional<LoopPair> pair = {},
                         int most_triangles = 500'000, const Progress& progress = {});
 
 /// The circles of the disk: the unit circle, the inner one, and the others in their order.

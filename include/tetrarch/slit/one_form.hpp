@@ -11,7 +11,7 @@
 ///
 /// The surface is oriented: no mates are turned.
 
-#include "tetrarch/mesh/boundary_loops.hpp"
+#include "tetrarch/surface/boundary_loops.hpp"
 
 #include <vector>
 
@@ -21,16 +21,16 @@ namespace tetrarch::slit {
 using OneForm = std::vector<double>;
 
 /// df, of a function with a value at each vertex. O(n).
-OneForm differential(const mesh::Surface& surface, const std::vector<double>& f);
+OneForm differential(const surface::Surface& surface, const std::vector<double>& f);
 
 /// The integral of a ^ b; exact for forms that are linear on triangles, so that Stokes' theorem holds: for
 /// exact a = df it is the integral of f b along the boundary. O(n).
-double wedge(const mesh::Surface& surface, const OneForm& a, const OneForm& b);
+double wedge(const surface::Surface& surface, const OneForm& a, const OneForm& b);
 
-/// The integral of a ^ *b, with the weights of `mesh::half_cotangents`. O(n).
+/// The integral of a ^ *b, with the weights of `surface::half_cotangents`. O(n).
 double inner_product(const std::vector<double>& weight, const OneForm& a, const OneForm& b);
 
 /// The integral along a boundary loop, with the surface to the left. O(length of the loop).
-double period(const OneForm& form, const mesh::BoundaryLoop& loop);
+double period(const OneForm& form, const surface::BoundaryLoop& loop);
 
 } // namespace tetrarch::slit

@@ -10,15 +10,15 @@
 ///     \  '-'   '-' 0/     loop k, smoothed by the differential of a function, lag(k). tau(0) is 0.
 ///      '-----------'
 ///
-/// Loops are those of `mesh::boundary_loops`; along each the surface lies to the left, so periods around all
-/// of them add up to 0. Source: Yin, section 2.3.1. The jump is made across triangles and not along a path of
-/// edges, which comes to the same and leaves integers that vanish modulo full turns.
+/// Loops are those of `surface::boundary_loops`; along each the surface lies to the left, so periods around
+/// all of them add up to 0. Source: Yin, section 2.3.1. The jump is made across triangles and not along a
+/// path of edges, which comes to the same and leaves integers that vanish modulo full turns.
 
 #include "tetrarch/core/progress.hpp"
-#include "tetrarch/mesh/boundary_loops.hpp"
-#include "tetrarch/mesh/intrinsic_delaunay.hpp"
-#include "tetrarch/mesh/laplacian.hpp"
 #include "tetrarch/slit/one_form.hpp"
+#include "tetrarch/surface/boundary_loops.hpp"
+#include "tetrarch/surface/intrinsic_delaunay.hpp"
+#include "tetrarch/surface/laplacian.hpp"
 
 #include <complex>
 #include <cstdint>
@@ -34,19 +34,19 @@ enum class Edges : std::uint8_t { own, intrinsic_delaunay };
 class OneForms {
 public:
   /// Throws InputError unless the mesh is an oriented sphere with at least two holes, where triangles are too
-  /// thin (`mesh::half_cotangents`), or if the functions would take more than 16 GB. For n + 1 loops: two
+  /// thin (`surface::half_cotangents`), or if the functions would take more than 16 GB. For n + 1 loops: two
   /// sparse factorizations with one analysis (the lags are held at one vertex, the potentials on all loops)
   /// and n right-hand sides for either. One factorization with the loops eliminated last would serve both,
   /// but counting operations it is dearer.
-  explicit OneForms(mesh::TriangleMesh mesh, const Progress& progress = {}, Edges edges = Edges::own);
+  explicit OneForms(surface::TriangleMesh mesh, const Progress& progress = {}, Edges edges = Edges::own);
 
-  const mesh::TriangleMesh& mesh() const { return mesh_; }
-  const std::vector<mesh::BoundaryLoop>& loops() const { return loops_; }
+  const surface::TriangleMesh& mesh() const { return mesh_; }
+  const std::vector<surface::BoundaryLoop>& loops() const { return loops_; }
   int loop_count() const { return static_cast<int>(loops_.size()); }
   /// The triangles on which the functions are linear, and of each of its sides half the cotangent of the
   /// angle opposite. Everything else with a value for each side, such as a one-form, belongs to the sides of
   /// the mesh.
-  const mesh::Surface& solved_on() const { return intrinsic_ ? intrinsic_->surface : mesh_.surface; }
+  const surface::Surface& solved_on() const { return intrinsic_ ? intrinsic_->surface : mesh_.surface; }
   const std::vector<double>& weight() const { return weight_; }
 
   /// Of each vertex. All together add up to 1.
@@ -69,21 +69,21 @@ public:
 
   /// The harmonic functions with given values at the vertices of the loops; `values[k][v]` is not read where
   /// v is on no loop. The factor for that is kept, so it costs what solving costs, about O(n log n) each.
-  mesh::LaplaceSolver::Columns extended(const mesh::LaplaceSolver::Columns& values) const;
+  surface::LaplaceSolver::Columns extended(const surface::LaplaceSolver::Columns& values) const;
   /// The same for one complex function.
   std::vector<std::complex<double>> extended(const std::vector<std::complex<double>>& values) const;
 
 private:
   /// Where the strips start.
-  mesh::Side start() const { return loops_[0].sides.front().side; }
+  surface::Side start() const { return loops_[0].sides.front().side; }
 
-  mesh::TriangleMesh mesh_;
-  std::vector<mesh::BoundaryLoop> loops_;
+  surface::TriangleMesh mesh_;
+  std::vector<surface::BoundaryLoop> loops_;
   std::vector<double> weight_;
-  std::optional<mesh::IntrinsicTriangulation> intrinsic_;
-  std::optional<mesh::LaplaceSolver> solver_; ///< the loops are held
+  std::optional<surface::IntrinsicTriangulation> intrinsic_;
+  std::optional<surface::LaplaceSolver> solver_; ///< the loops are held
   /// Of each loop but 0, the sides by which the strip from loop 0 leaves its triangles, the last one first.
-  std::vector<std::vector<mesh::Side>> strip_;
+  std::vector<std::vector<surface::Side>> strip_;
   std::vector<std::vector<double>> potential_;
   std::vector<std::vector<double>> lag_;
   std::vector<std::vector<double>> flux_;

@@ -42,7 +42,7 @@ struct QuadMesh {
 QuadMesh quads(const OneForms& forms, const SlitMap& map, int around);
 
 /// The number around for which quads have as much area in the mean as squares with this edge. O(n).
-double quads_around(const mesh::TriangleMesh& mesh, const SlitMap& map, double edge);
+double quads_around(const surface::TriangleMesh& mesh, const SlitMap& map, double edge);
 
 enum class Line : std::uint8_t { horizontal, vertical, boundary };
 struct QuadEdge {

@@ -44,12 +44,12 @@ Distortion distortion_on_cylinder(const OneForms& forms, const SlitMap& map);
 /// although it was not on the cylinder. O(n), as all of these.
 Distortion distortion_on_ring(const OneForms& forms, const SlitMap& map);
 /// Of a mesh whose vertices are laid into the plane. There are no ears.
-Distortion distortion_in_plane(const mesh::TriangleMesh& mesh,
+Distortion distortion_in_plane(const surface::TriangleMesh& mesh,
                                const std::vector<std::complex<double>>& position);
 
 /// In a disk with round holes. Ears are those of the holes.
-Distortion distortion_in_disk(const mesh::TriangleMesh& mesh, const CircularMap& map);
-std::vector<char> ears_in_disk(const mesh::TriangleMesh& mesh, const CircularMap& map);
+Distortion distortion_in_disk(const surface::TriangleMesh& mesh, const CircularMap& map);
+std::vector<char> ears_in_disk(const surface::TriangleMesh& mesh, const CircularMap& map);
 
 /// Residuals, which should be 0.
 struct Residuals {

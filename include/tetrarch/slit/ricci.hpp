@@ -45,7 +45,7 @@ struct Curvatures {
 
 struct ScaledMetric {
   /// With the new lengths. Edges are not those of the mesh, vertices are.
-  mesh::IntrinsicTriangulation triangulation;
+  surface::IntrinsicTriangulation triangulation;
   std::vector<double> log_scale; ///< u, of each vertex; 0 at vertex 0 where none is held
   /// The greatest deviation from a curvature that was asked for; vertex 0 is left out where none is held, as
   /// Gauss and Bonnet see to it.
@@ -58,7 +58,7 @@ struct ScaledMetric {
 /// held, unless all curvatures add up to 2 pi times the Euler number (a round hole to -2 pi);
 /// PreconditionError unless the mesh is oriented and there is a number for each vertex. Such a metric need
 /// not exist: check `found`. One sparse factorization a step, in practice less than 10 steps.
-[[nodiscard]] ScaledMetric scaled_metric(const mesh::TriangleMesh& mesh, const Curvatures& curvatures,
+[[nodiscard]] ScaledMetric scaled_metric(const surface::TriangleMesh& mesh, const Curvatures& curvatures,
                                          const RicciOptions& options = {}, const Progress& progress = {});
 
 /// A metric unrolled in the plane, triangle by triangle, with cuts between triangles where a walk around a
@@ -70,7 +70,7 @@ struct Layout {
 };
 
 /// The first side of triangle 0 starts at 0 and runs along the positive real axis. O(n).
-Layout laid_out(const mesh::IntrinsicTriangulation& metric);
+Layout laid_out(const surface::IntrinsicTriangulation& metric);
 
 /// The motion of the plane that a walk once around a loop makes, with the surface to the left: a turn by
 /// `rotation`, in (-pi, pi], and a move of the start vertex by `translation`, as seen from a start at 0 along
@@ -81,7 +81,7 @@ struct Holonomy {
 };
 
 /// Of the loop through a vertex. Throws InputError if the vertex is not on the boundary. O(n).
-Holonomy holonomy(const mesh::IntrinsicTriangulation& metric, int vertex);
+Holonomy holonomy(const surface::IntrinsicTriangulation& metric, int vertex);
 
 struct RicciCircles {
   /// The circles are fitted to the vertices, whose distance from them is `circularity`; there are no curves.
@@ -97,7 +97,7 @@ struct RicciCircles {
 ///
 /// A vertex of the outer loop goes to infinity, so that the loop becomes a straight line: the problem is then
 /// convex, which it is not for the curvature of a circle. A Moebius map leads back.
-[[nodiscard]] RicciCircles ricci_circles(const mesh::TriangleMesh& mesh, int outer, int inner,
+[[nodiscard]] RicciCircles ricci_circles(const surface::TriangleMesh& mesh, int outer, int inner,
                                          const RicciOptions& options = {}, const Progress& progress = {});
 
 /// A corner on the side of a loop that starts at `vertex`, this part of its length further: the right angle
@@ -134,7 +134,7 @@ struct RectangleOptions {
 /// by half a side, it may not be. Throws InputError unless the mesh is an oriented sphere with holes and each
 /// loop has its four vertices, no two of them neighbors on it. Check `found`. Some 5 rounds, each a metric
 /// and four more right-hand sides for each hole.
-[[nodiscard]] RicciRectangles ricci_rectangles(const mesh::TriangleMesh& mesh,
+[[nodiscard]] RicciRectangles ricci_rectangles(const surface::TriangleMesh& mesh,
                                                const std::vector<std::array<int, 4>>& hints,
                                                const RectangleOptions& options = {},
                                                const Progress& progress = {});
@@ -142,12 +142,13 @@ struct RectangleOptions {
 /// Four vertices of a loop to be the corners: the sharpest, if four of them turn by an eighth of a turn at
 /// least and no two are neighbors, else those that part its length into quarters. In their order along the
 /// loop. Throws InputError if the loop has fewer than 8 edges. O(n).
-[[nodiscard]] std::array<int, 4> corners_of(const mesh::TriangleMesh& mesh, const mesh::BoundaryLoop& loop);
+[[nodiscard]] std::array<int, 4> corners_of(const surface::TriangleMesh& mesh,
+                                            const surface::BoundaryLoop& loop);
 
 /// Hints for all loops from the corners of the outer one: in the rectangle with round holes, the vertices of
 /// each hole that lie farthest along the diagonals. Throws InputError as `ricci_rectangles`, or if there is
 /// no such rectangle. One metric.
-[[nodiscard]] std::vector<std::array<int, 4>> rectangle_hints(const mesh::TriangleMesh& mesh,
+[[nodiscard]] std::vector<std::array<int, 4>> rectangle_hints(const surface::TriangleMesh& mesh,
                                                               const std::array<int, 4>& outer,
                                                               const RicciOptions& options = {},
                                                               const Progress& progress = {});

@@ -86,11 +86,11 @@ struct ParallelDomain {
   /// Of each triangle, where its corners lie: (angle, height). A vertex on the seam has several places.
   std::vector<std::array<std::array<double, 2>, 3>> corners;
   /// The sides on the seam, of both its banks: where triangles that meet on the surface lie 2 pi apart.
-  std::vector<mesh::Side> seam;
+  std::vector<surface::Side> seam;
 };
 
 /// Each triangle lies whole, with its centroid in [0, 2 pi); so the seam runs along edges, no farther from
 /// the line of angle 0 than one triangle. O(n).
-ParallelDomain parallel_domain(const mesh::Surface& surface, const SlitMap& map);
+ParallelDomain parallel_domain(const surface::Surface& surface, const SlitMap& map);
 
 } // namespace tetrarch::slit

@@ -36,6 +36,7 @@ Unflipped unflip_on_cylinder(const OneForms& forms, SlitMap& map, Unflip which =
 /// On the ring, where edges are straight.
 Unflipped unflip_on_ring(const OneForms& forms, SlitMap& map, Unflip which = Unflip::everywhere);
 /// On circles other than the outer one ears stay as they are.
-Unflipped unflip_in_disk(const mesh::TriangleMesh& mesh, CircularMap& map, Unflip which = Unflip::everywhere);
+Unflipped unflip_in_disk(const surface::TriangleMesh& mesh, CircularMap& map,
+                         Unflip which = Unflip::everywhere);
 
 } // namespace tetrarch::slit

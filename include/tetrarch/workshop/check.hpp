@@ -7,9 +7,9 @@
 ///     if (found.verdict() == Verdict::yes) use(found.soup);
 
 #include "tetrarch/core/surface.hpp"
+#include "tetrarch/doctor/quality.hpp"
+#include "tetrarch/doctor/validate.hpp"
 #include "tetrarch/format/soup.hpp"
-#include "tetrarch/mesh/quality.hpp"
-#include "tetrarch/mesh/validate.hpp"
 #include "tetrarch/workshop/doctor.hpp"
 #include "tetrarch/workshop/fields.hpp"
 #include "tetrarch/workshop/verdict.hpp"
@@ -30,7 +30,7 @@ struct Diagnosis {
   format::Soup soup;                ///< mended as far as that was asked for
   std::vector<std::string> repairs; ///< a sentence for each thing that was mended
   bool is_surface = false;
-  mesh::Report report;
+  doctor::Report report;
 
   /// Of a surface without fatal findings; what can be mended is taken as mended.
   struct Sheet {
@@ -54,8 +54,8 @@ struct Diagnosis {
 
   /// Where there are elements, all indices are in range and all points finite.
   struct Measures {
-    mesh::Extent extent;   ///< in the mesh's own unit
-    mesh::Quality quality; ///< angles in degrees; the ten worst elements
+    doctor::Extent extent;   ///< in the mesh's own unit
+    doctor::Quality quality; ///< angles in degrees; the ten worst elements
   };
   std::optional<Measures> measures;
 

@@ -15,7 +15,7 @@ struct Doctor {
   std::optional<double> weld;   ///< a tolerance
   std::optional<int> component; ///< counted from 0
   bool repair = false;
-  bool split_pinches = false; ///< of a surface (mesh/repair.hpp)
+  bool split_pinches = false; ///< of a surface (doctor/repair.hpp)
 };
 
 /// Welds, chooses the component and repairs, in this order, as far as asked for; returns a sentence for each

@@ -10,9 +10,9 @@
 ///       '-----'                          '-----'
 
 #include "tetrarch/core/progress.hpp"
-#include "tetrarch/mesh/boundary_loops.hpp"
-#include "tetrarch/mesh/opened.hpp"
-#include "tetrarch/mesh/punch.hpp"
+#include "tetrarch/surface/boundary_loops.hpp"
+#include "tetrarch/surface/opened.hpp"
+#include "tetrarch/surface/punch.hpp"
 #include "tetrarch/workshop/fields.hpp"
 
 #include <string>
@@ -24,21 +24,21 @@ struct NumberedSurface;
 
 /// What is cut out of a surface and cut open, in this order. Vertices go by their numbers.
 struct Openings {
-  std::vector<mesh::RoundHole> punched;
+  std::vector<surface::RoundHole> punched;
   std::vector<std::vector<long long>> sliced; ///< each a path of shortest paths through these vertices
   bool handles = false;                       ///< cut open, along short loops
 };
 
 /// A surface, and its boundary loop by loop.
 struct HoledSurface {
-  mesh::OpenedMesh opened;               ///< vertices are numbered as in the file, but from 0
-  std::vector<mesh::BoundaryLoop> loops; ///< by decreasing length
+  surface::OpenedMesh opened;               ///< vertices are numbered as in the file, but from 0
+  std::vector<surface::BoundaryLoop> loops; ///< by decreasing length
 
-  const mesh::TriangleMesh& mesh() const { return opened.mesh; }
+  const surface::TriangleMesh& mesh() const { return opened.mesh; }
 };
 
-/// The surface after such openings. Throws InputError as `mesh::punch` and `mesh::slice`, Stopped if the
-/// progress says so. O(n log n) for each opening.
+/// The surface after such openings. Throws InputError as `surface::punch` and `surface::slice`, Stopped if
+/// the progress says so. O(n log n) for each opening.
 HoledSurface opened(const NumberedSurface& surface, const Openings& openings = {},
                     const Progress& progress = {});
 /// The same of a surface that is open already.

@@ -8,11 +8,11 @@
 ///     if (found.verdict() == Verdict::yes) use(found.fibered->coordinates->of.uvw);
 
 #include "tetrarch/core/progress.hpp"
-#include "tetrarch/mesh/split_edges.hpp"
 #include "tetrarch/product/critical.hpp"
 #include "tetrarch/product/field.hpp"
 #include "tetrarch/product/floor_map.hpp"
 #include "tetrarch/product/product.hpp"
+#include "tetrarch/solid/split_edges.hpp"
 #include "tetrarch/workshop/fields.hpp"
 #include "tetrarch/workshop/solid_hexahedra.hpp"
 #include "tetrarch/workshop/verdict.hpp"
@@ -34,8 +34,8 @@ namespace tetrarch::workshop {
 struct PartitionedSolid {
   product::Solid solid; ///< perhaps with edges split; old vertices keep their numbers
   product::Partition partition;
-  std::string how;                     ///< it was found, in words
-  std::vector<mesh::EdgePoint> splits; ///< as in `product::Automatic`
+  std::string how;                      ///< it was found, in words
+  std::vector<solid::EdgePoint> splits; ///< as in `product::Automatic`
 };
 
 /// By the search of product/automatic.hpp; nothing if it finds none, which proves nothing.

@@ -162,7 +162,7 @@ constexpr int most_quads_around = 1'000'000;
 
 /// Why a surface has no such map, a phrase: it is no sphere with a hole, or with two. Empty: it has one.
 /// O(n).
-std::string why_not_mapped(const mesh::Surface& surface, int least_holes);
+std::string why_not_mapped(const surface::Surface& surface, int least_holes);
 
 /// Obtuse triangles make harmonic maps turn some triangles over. Then either a few vertices are moved, or the
 /// map of the intrinsic Delaunay triangulation, which has no such triangles, is drawn with the mesh's own

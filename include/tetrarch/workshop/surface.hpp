@@ -6,7 +6,7 @@
 
 #include "tetrarch/bundle/cutting_pattern.hpp"
 #include "tetrarch/format/soup.hpp"
-#include "tetrarch/mesh/triangle_mesh.hpp"
+#include "tetrarch/surface/triangle_mesh.hpp"
 #include "tetrarch/workshop/doctor.hpp"
 
 #include <string>
@@ -15,7 +15,7 @@
 namespace tetrarch::workshop {
 
 struct NumberedSurface {
-  mesh::TriangleMesh mesh;
+  surface::TriangleMesh mesh;
   format::Soup labels;               ///< without points and elements: numbers alone
   std::vector<std::string> warnings; ///< what was mended
 
