@@ -202,7 +202,7 @@ private:
     std::vector<int> near;
     std::map<int, std::vector<int>> at; // the triangles of the part at each of its vertices
     for (const int v : moving)
-      for (const mesh::SideEnd e : mesh::fan(surface_, some_end_[v]))
+      for (const surface::SideEnd e : surface::fan(surface_, some_end_[v]))
         if (!skipped_[e.side.triangle()]) near.push_back(e.side.triangle());
     std::sort(near.begin(), near.end());
     near.erase(std::unique(near.begin(), near.end()), near.end());
@@ -294,7 +294,7 @@ private:
   /// Of a vertex of one triangle: the step that takes it to the middle between the two others. On a circle that
   /// is where the triangle is widest; along the tangent it would grow for ever.
   Complex to_the_middle(int v) const {
-    const mesh::SideEnd e = some_end_[v];
+    const surface::SideEnd e = some_end_[v];
     const Side opposite(e.side.triangle(), e.corner());
     return (along_[opposite.previous().value] - along_[opposite.next().value]) / 2.0;
   }

@@ -350,14 +350,14 @@ TEST_CASE("A part in disorder is unfolded, in the disk, on the ring and on the c
     const TriangleList plain{domain.mesh.surface.triangles(), domain.mesh.points,
                              domain.mesh.surface.vertex_count()};
     const TriangleList bad = retriangulated(plain, random, 0, 100);
-    const mesh::TriangleMesh mesh{bad.points, bad.surface()};
-    const mesh::Surface& surface = mesh.surface;
+    const surface::TriangleMesh mesh{bad.points, bad.surface()};
+    const surface::Surface& faces = mesh.surface;
     const OneForms forms(mesh);
-    const std::vector<int> loop = mesh::loops_of_vertices(forms.loops(), surface);
+    const std::vector<int> loop = surface::loops_of_vertices(forms.loops(), faces);
     const SlitMap slits = slit_map(forms, outer_loop(forms, domain), inner_loop(forms, domain));
     const CircularMap circles = circular_map(forms, slits);
     // All vertices near one take random places there; those of loops slide.
-    const int center = random.below(surface.vertex_count());
+    const int center = random.below(faces.vertex_count());
     constexpr double reach = 0.8;
     CircularMap disk = circles;
     for (std::size_t v = 0; v < disk.position.size(); ++v)
@@ -366,14 +366,14 @@ TEST_CASE("A part in disorder is unfolded, in the disk, on the ring and on the c
                            std::polar(reach * std::sqrt(random.uniform()), full_turn * random.uniform());
     SlitMap cylinder = slits;
     std::map<int, double> shift; // of angles
-    for (int v = 0; v < surface.vertex_count(); ++v)
+    for (int v = 0; v < faces.vertex_count(); ++v)
       if (std::abs(slits.log_radius[v] - slits.log_radius[center]) < reach &&
           std::abs(std::remainder(slits.angle[v] - slits.angle[center], full_turn)) < reach)
         shift[v] = reach * (2 * random.uniform() - 1);
-    for (int s = 0; s < surface.side_count(); ++s)
+    for (int s = 0; s < faces.side_count(); ++s)
       for (const auto& [v, angle] : shift) {
-        if (surface.to(mesh::Side(s)) == v) cylinder.form.imaginary[s] += angle;
-        if (surface.from(mesh::Side(s)) == v) cylinder.form.imaginary[s] -= angle;
+        if (faces.to(surface::Side(s)) == v) cylinder.form.imaginary[s] += angle;
+        if (faces.from(surface::Side(s)) == v) cylinder.form.imaginary[s] -= angle;
       }
     for (const auto& [v, angle] : shift) cylinder.angle[v] += angle;
     SlitMap ring = cylinder;
@@ -403,7 +403,7 @@ TEST_CASE("A vertex of one triangle is put between its neighbors on the circle")
   plain.points.push_back({0, 0, 0});
   plain.triangles.push_back({corners - 1, 1, corners});
   plain.triangles.push_back({0, 1, corners - 1});
-  const mesh::TriangleMesh mesh{plain.points, plain.surface()};
+  const surface::TriangleMesh mesh{plain.points, plain.surface()};
   CircularMap map = disk_map(mesh, corners);
   REQUIRE(distortion_in_disk(mesh, map).flipped.empty());
 

@@ -3,8 +3,8 @@
 /// divided, turned, scaled, inverted in a sphere.
 #include "support/planar_domains.hpp"
 #include "support/random.hpp"
-#include "tetrarch/mesh/refine.hpp"
 #include "tetrarch/numeric/vector.hpp"
+#include "tetrarch/surface/refine.hpp"
 #include "tetrarch/workshop/fingerprint.hpp"
 #include "tetrarch/workshop/open.hpp"
 #include "tetrarch/workshop/registration.hpp"
@@ -26,19 +26,19 @@ using numeric::operator*;
 
 namespace {
 
-HoledSurface with_holes(mesh::TriangleMesh mesh) {
+HoledSurface with_holes(surface::TriangleMesh mesh) {
   NumberedSurface surface;
   surface.mesh = std::move(mesh);
   return opened(surface);
 }
 
-mesh::TriangleMesh ring_with_holes() {
+surface::TriangleMesh ring_with_holes() {
   return surface_of(open_mesh(TETRARCH_SOURCE_DIR "/tests/data/mesh/ring_two_holes.off")).mesh;
 }
 
 /// A cylinder with two cracks, bent to a piece of a torus whose tube grows: nothing about it is flat or
 /// symmetric.
-mesh::TriangleMesh bent_tube() {
+surface::TriangleMesh bent_tube() {
   support::CylinderGrid grid;
   grid.sectors = 36;
   grid.rings = 12;
@@ -58,7 +58,7 @@ struct Box {
   Point center{};
   double diameter = 0;
 };
-Box box_of(const mesh::TriangleMesh& mesh) {
+Box box_of(const surface::TriangleMesh& mesh) {
   Point least = mesh.points.front();
   Point most = least;
   for (const Point& p : mesh.points)
@@ -78,12 +78,12 @@ Vector random_direction(support::Random& random) {
 }
 
 /// The mirror image in a plane; two of them turn.
-void reflect(mesh::TriangleMesh& mesh, const Vector& normal) {
+void reflect(surface::TriangleMesh& mesh, const Vector& normal) {
   for (Point& p : mesh.points) p = p + (-2 * numeric::dot(p - Point{}, normal)) * normal;
 }
 
 /// In a sphere one diameter away at least, followed by a mirror image, so that orientations stay.
-void invert(mesh::TriangleMesh& mesh, support::Random& random) {
+void invert(surface::TriangleMesh& mesh, support::Random& random) {
   const Box box = box_of(mesh);
   const Point center = box.center + ((1 + random.uniform()) * box.diameter) * random_direction(random);
   for (Point& p : mesh.points) {
@@ -94,13 +94,13 @@ void invert(mesh::TriangleMesh& mesh, support::Random& random) {
 }
 
 struct Transformed {
-  mesh::TriangleMesh mesh;
+  surface::TriangleMesh mesh;
   std::vector<int> name; ///< of each vertex: its number there
 };
 
-Transformed transformed(const mesh::TriangleMesh& mesh, support::Random& random, bool divided,
+Transformed transformed(const surface::TriangleMesh& mesh, support::Random& random, bool divided,
                         bool inverted) {
-  mesh::TriangleMesh moved = divided ? mesh::refined(mesh) : mesh;
+  surface::TriangleMesh moved = divided ? surface::refined(mesh) : mesh;
   if (inverted) invert(moved, random);
   reflect(moved, random_direction(random));
   reflect(moved, random_direction(random));
@@ -119,7 +119,7 @@ Transformed transformed(const mesh::TriangleMesh& mesh, support::Random& random,
     for (int& v : triangle) v = name[v];
     std::rotate(triangle.begin(), triangle.begin() + random.below(3), triangle.end());
   }
-  return {mesh::build_surface(std::move(soup)), std::move(name)};
+  return {doctor::build_surface(std::move(soup)), std::move(name)};
 }
 
 } // namespace
@@ -127,7 +127,7 @@ Transformed transformed(const mesh::TriangleMesh& mesh, support::Random& random,
 TEST_CASE("the conformal type of a surface stays, whatever it is transformed by", "[workshop]") {
   FingerprintOptions coarse;
   coarse.most_triangles = 30'000;
-  const std::array<mesh::TriangleMesh, 2> surfaces{ring_with_holes(), bent_tube()};
+  const std::array<surface::TriangleMesh, 2> surfaces{ring_with_holes(), bent_tube()};
   std::array<ConformalType, 2> types{conformal_type(with_holes(surfaces[0]), coarse),
                                      conformal_type(with_holes(surfaces[1]), coarse)};
   for (unsigned seed = 1; seed <= 16; ++seed) {
@@ -147,10 +147,11 @@ TEST_CASE("the conformal type of a surface stays, whatever it is transformed by"
 
 TEST_CASE("a surface is registered with itself, whatever it is transformed by", "[workshop]") {
   // Fine enough: a triangulation and a finer one of it are not the same to harmonic functions.
-  const std::array<mesh::TriangleMesh, 2> surfaces{mesh::refined(ring_with_holes()), mesh::refined(bent_tube())};
+  const std::array<surface::TriangleMesh, 2> surfaces{surface::refined(ring_with_holes()),
+                                                      surface::refined(bent_tube())};
   for (unsigned seed = 1; seed <= 8; ++seed) {
     support::Random random(seed);
-    const mesh::TriangleMesh& mesh = surfaces[seed % 2];
+    const surface::TriangleMesh& mesh = surfaces[seed % 2];
     const bool divided = seed > 4;
     INFO("seed " << seed);
     const Transformed other = transformed(mesh, random, divided, false);

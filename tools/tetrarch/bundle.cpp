@@ -158,7 +158,7 @@ workshop::BundleOptions bundle_options(const BundleArguments& options, const Sur
   constexpr double bytes_of_gigabyte = 1e9;
   how.most_bytes = bytes_of_gigabyte * allowed_gigabytes(context);
   how.bytes_a_tetrahedron =
-      file_bytes_a_tetrahedron(options.outputs, mesh::type_of(surface.mesh.surface).is_disk());
+      file_bytes_a_tetrahedron(options.outputs, surface::type_of(surface.mesh.surface).is_disk());
   return how;
 }
 
