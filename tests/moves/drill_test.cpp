@@ -14,9 +14,11 @@
 
 #include <algorithm>
 #include <catch2/catch.hpp>
+#include <fstream>
 #include <map>
 #include <queue>
 #include <set>
+#include <sstream>
 
 using namespace tetrarch;
 using namespace tetrarch::moves;
@@ -189,6 +191,42 @@ TEST_CASE("crushing and cutting give the same manifold", "[drill]") {
   }
   CHECK(compared > 30);
   CHECK(refused > 10);
+}
+
+TEST_CASE("the exterior has the homology and the boundary that Regina finds by pinching edges",
+          "[drill][oracle]") {
+  std::ifstream record(TETRARCH_SOURCE_DIR "/tests/oracle/regina_drilled.txt");
+  std::string line;
+  std::getline(record, line); // the version of Regina
+  int sets = 0;
+  int crushable = 0;
+  while (std::getline(record, line)) {
+    std::istringstream fields(line);
+    std::string signature_text;
+    std::string names;
+    std::string exterior;
+    std::getline(fields, signature_text, '|');
+    std::getline(fields, names, '|');
+    std::getline(fields, exterior, '|');
+    const Triangulation tri = from_signature(signature_text);
+    const Skeleton skeleton(tri);
+    EdgeSet edges(skeleton.edge_count(), false);
+    std::istringstream list(names);
+    for (std::string name; std::getline(list, name, ',');) { // 3:02
+      const std::size_t colon = name.find(':');
+      edges[skeleton.edge({std::stoi(name.substr(0, colon)),
+                           edge_number[name[colon + 1] - '0'][name[colon + 2] - '0']})] = true;
+    }
+    INFO(line);
+    ++sets;
+    CHECK(description(cut_out(tri, skeleton, edges).tri) == exterior);
+    const auto made = crushed(tri, skeleton, edges);
+    if (!std::holds_alternative<Triangulation>(made)) continue;
+    ++crushable;
+    CHECK(description(std::get<Triangulation>(made)) == exterior);
+  }
+  CHECK(sets > 2000);
+  CHECK(crushable > 20);
 }
 
 TEST_CASE("the boundary of a drilled graph has its Euler characteristic, and meridians fill it", "[drill]") {
