@@ -38,7 +38,6 @@ struct BundleArguments {
 
 void require_outputs(const BundleArguments& options) {
   for (const std::string& path : options.outputs) {
-    require_folder(path);
     if (!format::has_extension(path, ".svg") && !scene::scene_format_for_extension(path) &&
         !format::format_for_extension(path))
       throw InputError({path, 0}, "this command writes no file with this extension (expected .json, .tri, "
@@ -193,7 +192,7 @@ Run declare_bundle(OptionTable& table) {
            "write the triangulation (.json with fiber coordinates, .tri, .sig ...), the mesh with its "
            "coordinates (.vtu), or a picture: the solid tori as .glb, .ply or .obj, the bands as .svg; may "
            "be repeated")
-      .value_name("FILE");
+      .output_file();
   table.add("--fiber", o->plan.fiber, "number of edges of a fiber; 1 is the least that works").with_default();
   table.add("--euler", o->plan.euler,
             "the Euler number of the bundle (default: chi, which gives the unit tangent bundle)");
@@ -219,7 +218,7 @@ Run declare_bundle(OptionTable& table) {
            "project the vector X Y Z to the surface instead of drawing random directions")
       .takes(3);
   table.add("--obstruction", o->obstruction, "write the part of a disk that has no solution to this file")
-      .value_name("FILE");
+      .output_file();
   declare_doctor(table, o->doctor);
   return [o](const Context& context) { return run_bundle(*o, context); };
 }

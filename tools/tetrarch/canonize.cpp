@@ -99,7 +99,7 @@ Run declare_canonize(OptionTable& table) {
   const auto options = std::make_shared<CanonizeArguments>();
   table.add("X", options->input, "a triangulation that carries a hyperbolic structure").required();
   table.add("-o,--output", options->output, "write the canonical triangulation with its cells as JSON")
-      .value_name("FILE");
+      .output_file();
   table.add("--isometries", options->how.list_isometries, "list all isometries (in JSON)");
   table.add("--attempts", options->how.attempts, "greatest number of triangulations to try")
       .in_range(1, 10'000'000)

@@ -207,7 +207,6 @@ void require_table(const std::string& path) {
   if (!table_text(1, {}, path))
     throw InputError({path, 0}, "no census table has this extension (expected .jsonl or .json, or .jsonl.xz "
                                 "or .json.xz to have it packed; census table makes an SQLite file of these)");
-  require_folder(path);
 }
 
 void add_table_output(OptionTable& table, std::string& path) {
@@ -215,7 +214,7 @@ void add_table_output(OptionTable& table, std::string& path) {
       .add("-o,--output", path,
            "write a census table to this file: lines of JSON (.jsonl) or one document (.json), packed if .xz "
            "follows")
-      .value_name("FILE");
+      .output_file();
 }
 
 /// The manifolds, a line each or as a table in a file; and what is left open.

@@ -99,7 +99,7 @@ Run declare_census_gluings(OptionTable& table) {
       .in_range(1, 72);
   table.add("--allow-invalid", options->gluings.allow_invalid,
             "allow edges that are identified with themselves reversed");
-  table.add("-o,--output", options->output, "write the signatures to this file").value_name("FILE");
+  table.add("-o,--output", options->output, "write the signatures to this file").output_file();
   return [options](const Context& context) {
     using Orientability = enumeration::GluingOptions::Orientability;
     enumeration::GluingOptions gluings = options->gluings;

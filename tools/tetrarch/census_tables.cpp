@@ -297,9 +297,8 @@ Run declare_census_table(OptionTable& table) {
   };
   const auto o = std::make_shared<Options>();
   table.add("FILE", o->tables, "tables as census enumerate -o writes them, packed by xz or not").required();
-  table.add("-o,--output", o->output, "the SQLite file to write").value_name("FILE").required();
+  table.add("-o,--output", o->output, "the SQLite file to write").output_file().required();
   return [o](const Context& context) {
-    require_folder(o->output);
     std::vector<Manifold> all;
     for (std::size_t k = 0; k < o->tables.size(); ++k) {
       context.progress.step("reading tables", static_cast<double>(k) / static_cast<double>(o->tables.size()));

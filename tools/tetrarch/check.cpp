@@ -42,7 +42,7 @@ Run declare_check(OptionTable& table) {
       .with_default();
   declare_doctor(table, options->how.doctor);
   table.add("-o,--output", options->output, "write the mesh, repaired or not, in the format of the extension")
-      .value_name("FILE");
+      .output_file();
   return [options](const Context& context) { return check(*options, context); };
 }
 

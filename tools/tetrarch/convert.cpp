@@ -41,7 +41,6 @@ bool holds_surfaces_only(format::MeshFormat format) {
 
 /// Asked before anything is read.
 void require_target(const ConvertArguments& options) {
-  require_folder(options.output);
   const std::string& path = options.output;
   if (path.empty() || !options.to.empty() || format::mesh_format_for_extension(path) ||
       format::format_for_extension(path))
@@ -166,7 +165,7 @@ Run declare_convert(OptionTable& table) {
   table.add("X", options->input, "a triangulation or a mesh; a mesh can become a mesh of another format")
       .required();
   table.add("-o,--output", options->output, "the file to write (its extension names the format)")
-      .value_name("FILE");
+      .output_file();
   table
       .add("--to", options->to,
            "the format, whatever the extension: json (triangulation), tri, sig, fmp, or mesh (JSON of a "

@@ -64,7 +64,6 @@ struct DiagramOptions {
 constexpr std::size_t longest_title = 100;
 
 Result describe_diagram(const DiagramOptions& options, const Context& context) {
-  require_folder(options.output);
   diagram::Diagram diagram = read_diagram(options.input, context);
   if (options.mirror) diagram = mirrored(diagram);
   if (options.simplify) diagram = diagram::simplified(diagram, context.progress);
@@ -95,7 +94,7 @@ Run declare_exterior(OptionTable& table) {
       "--double", options->doubled,
       "two copies, glued along the spheres round the vertices: its structure is twice the parabolic one");
   table.add("-o,--output", options->output, "the file to write (its extension names the format)")
-      .value_name("FILE");
+      .output_file();
   return [options](const Context& context) { return exterior(*options, context); };
 }
 
@@ -105,7 +104,7 @@ Run declare_diagram(OptionTable& table) {
   table.add("--mirror", options->mirror, "take the mirror image");
   table.add("--simplify", options->simplify, "look for a diagram of the same with fewer crossings");
   table.add("-o,--output", options->output, "write a drawing (.svg), or the planar diagram code")
-      .value_name("FILE");
+      .output_file();
   return [options](const Context& context) { return describe_diagram(*options, context); };
 }
 

@@ -87,7 +87,7 @@ Run declare_drill(OptionTable& table) {
   table.add("--cut", options->cut,
             "cut the edges out and leave real boundary, unsimplified, with a meridian of each edge");
   table.add("-o,--output", options->output, "the file to write (its extension names the format)")
-      .value_name("FILE");
+      .output_file();
   return [options](const Context& context) { return drill(*options, context); };
 }
 

@@ -49,7 +49,6 @@ embed::PieceBounds wanted_bounds(const EmbedArguments& options) {
 }
 
 void require_output(const std::string& path) {
-  require_folder(path);
   if (!format::has_extension(path, ".svg") && !scene::scene_format_for_extension(path))
     throw InputError({path, 0}, "no picture has this extension (expected .glb, .ply, .obj, .vtu or .svg)");
 }
@@ -127,7 +126,7 @@ Run declare_embed(OptionTable& table) {
       .add("-o,--output", o->outputs,
            "write a picture: .glb, .ply, .obj or .vtu; .svg for the circles at infinity or the tiling of a "
            "boundary; may be repeated")
-      .value_name("FILE");
+      .output_file();
   table.add("--copies", o->copies, "greatest number of copies of the domain (1 if no option bounds them)");
   table.add("--word-length", o->word_length, "greatest number of face crossings to a copy");
   table.add("--radius", o->radius, "greatest distance to the center of a copy");

@@ -77,7 +77,7 @@ Run declare_group(OptionTable& table) {
   const auto output = std::make_shared<std::string>();
   table.add("X", *input, "a triangulation or a mesh, or a presentation such as '< a, b | abAB >'").required();
   table.add("--as-given", *as_given, "print the presentation without simplification");
-  table.add("-o,--output", *output, "write the presentation as JSON").value_name("FILE");
+  table.add("-o,--output", *output, "write the presentation as JSON").output_file();
   return [input, as_given, output](const Context& context) {
     return describe_groups(*input, *as_given, *output, context);
   };

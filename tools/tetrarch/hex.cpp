@@ -98,7 +98,7 @@ Run declare_hex(OptionTable& table) {
       .add("-o,--output", o->outputs,
            "write hexahedra (.mesh, .vtu, .json), or what is to be seen of them (.glb, .ply, .obj); may be "
            "repeated")
-      .value_name("FILE");
+      .output_file();
   table
       .add("--cells", o->cells,
            "about how many hexahedra to make (default: " + std::to_string(hex::usual_cells) +

@@ -71,7 +71,6 @@ format::Document with_structure(format::Document document, const workshop::Struc
 }
 
 Result hyperbolize(const HyperbolizeArguments& options, const Context& context) {
-  require_folder(options.history);
   if (!options.output.empty() && output_format(options.output) != format::FileFormat::json)
     throw InputError({options.output, 0}, "only JSON holds a metric (expected the extension .json)");
   format::Document document = read_marked_triangulation(options.input, context);
@@ -123,13 +122,12 @@ Run declare_hyperbolize(OptionTable& table) {
   table.add("--method", options->method, "the method: newton, or flow for Luo's curvature flow from length 1")
       .one_of({"newton", "flow"})
       .with_default();
-  table.add("--history", options->history, "write the flow's sum of K^2 at each step as CSV")
-      .value_name("FILE");
+  table.add("--history", options->history, "write the flow's sum of K^2 at each step as CSV").output_file();
   table
       .add("-o,--output", options->output,
            "write the triangulation with its metric as JSON; to a name that ends in .cert.json, the "
            "certificate")
-      .value_name("FILE");
+      .output_file();
   table.add("--certify", options->certify, "prove that the structure exists, and enclose its volume");
   table.add("--digits", options->digits, "the same, with so many digits of the volume").in_range(1, 2'000);
   table

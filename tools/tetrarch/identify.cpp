@@ -133,7 +133,7 @@ Run declare_subdivide(OptionTable& table) {
       .in_range(0, 5);
   table.add("--one-four", options->one_four, "finally divide each tetrahedron into 4");
   table.add("-o,--output", options->output, "the file to write (its extension names the format)")
-      .value_name("FILE");
+      .output_file();
   return [options](const Context& context) { return subdivide(*options, context); };
 }
 

@@ -265,7 +265,7 @@ Run declare_move(OptionTable& table) {
   table.add("--log", options->log, "make the moves in this file, as simplify --moves writes them")
       .value_name("FILE");
   table.add("-o,--output", options->output, "the file to write (its extension names the format)")
-      .value_name("FILE");
+      .output_file();
   return [options](const Context& context) {
     if (options->words.empty() == options->log.empty() && !options->list)
       throw InputError("expected moves, or a file of moves (--log FILE)");

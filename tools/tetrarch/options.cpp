@@ -70,6 +70,11 @@ Option& Option::value_name(std::string name) {
   return *this;
 }
 
+Option& Option::output_file() {
+  is_output = true;
+  return value_name("FILE");
+}
+
 Option& Option::one_of(std::initializer_list<const char*> allowed) {
   choices.assign(allowed.begin(), allowed.end());
   return *this;

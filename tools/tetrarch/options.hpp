@@ -3,10 +3,10 @@
 
 /// The options and arguments of a command, as plain data.
 ///
-///     table.add("X", input, "a triangulation").required();                      an argument: no dashes
-///     table.add("--repair", repair, "mend orientation first");                  a flag: the variable is a
-///     bool table.add("-o,--output", path, "the file to write").value_name("FILE"); table.add("--cells",
-///     cells, "hexahedra along a step").in_range(1, 1000).with_default();
+///     table.add("X", input, "a triangulation").required();          an argument: no dashes
+///     table.add("--repair", repair, "mend orientation first");      a flag: the variable is a bool
+///     table.add("-o,--output", path, "the file to write").output_file();
+///     table.add("--cells", cells, "hexahedra along a step").in_range(1, 1000).with_default();
 ///
 /// The parser, help pages, manual pages, completions, `help --json` and the shell are all made from this
 /// list. Nothing here knows of a library that parses words.
@@ -47,11 +47,14 @@ struct Option {
   int words = 1;        ///< that follow the option each time
   std::string implied;  ///< the value where none follows that is a number; empty: one must follow
   bool is_required = false;
+  bool is_output = false; ///< a file that is written, or several: the parser tries whether that can be
   bool shows_default = false;
 
   Option& required(bool yes = true);
   Option& with_default();
   Option& value_name(std::string name);
+  /// Its value is a file to write.
+  Option& output_file();
   Option& one_of(std::initializer_list<const char*> allowed);
   Option& in_range(double least, double most);
   Option& not_negative();

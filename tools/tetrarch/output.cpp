@@ -6,26 +6,19 @@
 
 namespace tetrarch::program {
 
-void require_folder(const std::string& path) {
-  if (!path.empty()) format::require_writable(path);
-}
-
 void require_extension(const std::string& path, const std::string& extension) {
-  require_folder(path);
   if (!path.empty() && !format::has_extension(path, extension))
     throw InputError({path, 0},
                      "this command writes no file with this extension (expected " + extension + ")");
 }
 
 format::FileFormat output_format(const std::string& path) {
-  require_folder(path);
   if (const auto format = format::format_for_extension(path)) return *format;
   throw InputError({path, 0},
                    "no triangulation format has this extension (expected .json, .tri, .sig, .txt or .fmp)");
 }
 
 format::MeshFormat mesh_output_format(const std::string& path) {
-  require_folder(path);
   if (const auto format = format::mesh_format_for_extension(path)) return *format;
   throw InputError({path, 0}, "no mesh format has this extension");
 }

@@ -13,15 +13,11 @@
 
 namespace tetrarch::program {
 
-/// Throws InputError if the file cannot be written: there is no such folder, or one may not write there.
-/// Asked before a long job rather than after it; an empty path is none.
-void require_folder(const std::string& path);
-
-/// The same for a command that writes one format alone: throws unless the file has its extension, ".json".
+/// For a command that writes one format alone: throws InputError unless the file has its extension, ".json".
+/// (That files can be written is asked by the parser.) An empty path is none.
 void require_extension(const std::string& path, const std::string& extension);
 
-/// The format that the extension of an output file names. Throws InputError that lists what is known, or as
-/// above.
+/// The format that the extension of an output file names. Throws InputError that lists what is known.
 format::FileFormat output_format(const std::string& path);
 
 /// The same for a mesh.

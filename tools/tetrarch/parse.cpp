@@ -33,13 +33,17 @@ void check_range(CLI::Option& made, const Option& option) {
     made.check(CLI::Range(static_cast<int>(least), static_cast<int>(most)));
 }
 
-/// Tries the files of the option -o, before the job rather than after it.
-void require_output_folder(const OptionTable& options) {
-  const Option* const output = options.find("--output");
-  if (output == nullptr) return;
-  if (const auto* const path = std::get_if<std::string*>(&output->target)) require_folder(**path);
-  if (const auto* const paths = std::get_if<std::vector<std::string>*>(&output->target))
-    for (const std::string& path : **paths) require_folder(path);
+/// Tries the files that a command is to write, before the job rather than after it.
+void require_writable_outputs(const OptionTable& options) {
+  const auto require = [](const std::string& path) {
+    if (!path.empty()) format::require_writable(path);
+  };
+  for (const Option& option : options.options()) {
+    if (!option.is_output) continue;
+    if (const auto* const path = std::get_if<std::string*>(&option.target)) require(**path);
+    if (const auto* const paths = std::get_if<std::vector<std::string>*>(&option.target))
+      for (const std::string& path : **paths) require(path);
+  }
 }
 
 std::string spelled(const std::vector<std::string>& names) {
@@ -188,7 +192,7 @@ Parsed parse(const std::vector<std::string>& words, const std::vector<Command>& 
   const auto run = [line, program, &table](Context context) {
     context.commands = &table;
     context.program = program;
-    require_output_folder(line->options);
+    require_writable_outputs(line->options);
     return line->run(context);
   };
   return {Job{line->common, run}, {}};

@@ -38,7 +38,6 @@ struct ProductArguments {
 
 void check_outputs(const ProductArguments& options) {
   for (const std::string& path : options.outputs) {
-    require_folder(path);
     if (!scene::scene_format_for_extension(path) && !format::has_extension(path, ".json") &&
         !format::has_extension(path, ".mesh") && !format::has_extension(path, ".html"))
       throw InputError({path, 0}, "this command writes no file with this extension (expected .json, .vtu, "
@@ -274,7 +273,7 @@ Run declare_product(OptionTable& table) {
       .add("-o,--output", o->outputs,
            "write tetrahedra or hexahedra with their data (.json, .vtu, .mesh), the surface with fibers "
            "(.glb, .ply, .obj), or a page with solid and domain (.html); may be repeated")
-      .value_name("FILE");
+      .output_file();
   declare_doctor(table, o->doctor);
   return [o](const Context& context) { return run_product(*o, context); };
 }

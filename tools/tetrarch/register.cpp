@@ -39,7 +39,6 @@ bool is_json(const std::string& path) {
 void require_register_outputs(const RegisterArguments& options) {
   for (const std::string& path : {options.resampled, options.average}) {
     if (path.empty()) continue;
-    require_folder(path);
     if (!scene::scene_format_for_extension(path) && !is_json(path))
       throw InputError(
           {path, 0},
@@ -150,9 +149,9 @@ Run declare_register(OptionTable& table) {
   table
       .add("-o,--output", o->resampled,
            "write SECOND's shape with FIRST's vertices and triangles (.json, .obj, .ply, .vtu or .glb)")
-      .value_name("FILE");
+      .output_file();
   table.add("--average", o->average, "write the shape halfway between the two surfaces, in the same formats")
-      .value_name("FILE");
+      .output_file();
   declare_doctor(table, o->doctor);
   o->doctor.split_pinches = true;
   return [o](const Context& context) { return run_register(*o, context); };

@@ -25,8 +25,8 @@ struct ConversionArguments {
 
 void declare_shared(OptionTable& table, ConversionArguments& options, workshop::MoveOptions& how) {
   table.add("-o,--output", options.output, "the file to write (its extension names the format)")
-      .value_name("FILE");
-  table.add("--moves", options.log, "write a log of all moves to this file, one per line").value_name("FILE");
+      .output_file();
+  table.add("--moves", options.log, "write a log of all moves to this file, one per line").output_file();
   declare_doctor(table, options.doctor);
   table.add("--audit", how.audit,
             "compare the triangulation with one built from nothing after every 1,000th move; slow");
@@ -36,7 +36,6 @@ void declare_shared(OptionTable& table, ConversionArguments& options, workshop::
 format::Document prepare(const ConversionArguments& options, workshop::MoveOptions& how,
                          const Context& context) {
   if (!options.output.empty()) output_format(options.output);
-  require_folder(options.log);
   format::Document document = read_triangulation(options.input, context, options.doctor);
   require_manifolds(document.triangulation, options.input);
   how.name = document.name;

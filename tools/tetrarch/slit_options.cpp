@@ -79,7 +79,6 @@ workshop::MapOptions map_options(const SlitArguments& options, const workshop::H
 
 void require_sense(const SlitArguments& options) {
   for (const std::string& path : options.outputs) {
-    require_folder(path);
     const auto format = scene::scene_format_for_extension(path);
     if (!options.has_quads() && format::has_extension(path, ".json")) continue;
     if (options.has_quads() && (!format || format == scene::SceneFormat::vtu))
@@ -186,7 +185,7 @@ void declare(OptionTable& table, SlitArguments& o) {
       .add("-o,--output", o.outputs,
            "write the surface with the domain as texture coordinates (.json, .obj, .vtu), the domain (.svg; "
            "as a surface, .glb or .ply), or a page with both side by side (.html); may be repeated")
-      .value_name("FILE");
+      .output_file();
   declare_doctor(table, o.doctor);
   o.doctor.split_pinches = true; // holes that meet in a vertex are one
 }

@@ -110,7 +110,7 @@ Run declare_view(OptionTable& table) {
   const auto o = std::make_shared<ViewArguments>();
   table.add("X", o->input, "a hyperbolic manifold; the structure is found first, as by hyperbolize")
       .required();
-  table.add("-o,--output", o->output, "write the page to this file").value_name("FILE").required();
+  table.add("-o,--output", o->output, "write the page to this file").output_file().required();
   table.add("--copies", o->copies, "greatest number of copies of the domain on the page").with_default();
   table.add("--cusp-area", o->cusp_area, "area of the cross-section that cuts a cusp off").with_default();
   return [o](const Context& context) { return run_view(*o, context); };
