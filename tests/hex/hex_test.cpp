@@ -345,6 +345,35 @@ TEST_CASE("a slanted plate thinner than the cells is filled", "[hex]") {
   CHECK(filling->deviation.relative() < 0.01);
 }
 
+TEST_CASE("a plate is not lost where none of its cells is half full", "[hex]") {
+  // A fifth as thick as edges are long.
+  auto plate = support::box({0.6, 0.5, 0.02}, {4, 4, 1}, 0).mesh;
+  for (Point& p : plate.points) {
+    p = {0.8 * p[0] - 0.6 * p[2], p[1], 0.6 * p[0] + 0.8 * p[2]};
+    p = {p[0], 0.8 * p[1] - 0.6 * p[2], 0.6 * p[1] + 0.8 * p[2]};
+  }
+  const auto filling = fill(product::solid(plate), {.edge = 0.1, .most_effort = 1});
+  REQUIRE(filling);
+  CHECK(filling->quality.bad.empty());
+  // No part of the plate is farther away than cells are long.
+  CHECK(filling->deviation.from_solid < 0.1);
+}
+
+TEST_CASE("in a sharp wedge hexahedra stay good at the cost of its edge", "[hex]") {
+  // Of 8 degrees: a hexahedron with a corner there has a scaled Jacobian of sin(8) = 0.14 at most.
+  mesh::TetMesh wedge;
+  const double half = 2 * std::tan(4 * std::numbers::pi / 180);
+  for (const double z : {0.0, 1.0})
+    for (const Point& p : {Point{0, 0, z}, {2, -half, z}, {2, half, z}}) wedge.points.push_back(p);
+  wedge.tetrahedra = {{0, 1, 2, 5}, {0, 1, 5, 4}, {0, 4, 5, 3}};
+  const auto filling =
+      fill(product::solid(wedge),
+           {.cells = 500, .volume_tolerance = 0.1, .hausdorff_tolerance = 0.1, .most_effort = 1});
+  REQUIRE(filling);
+  CHECK(filling->quality.minimum > std::sin(8 * std::numbers::pi / 180));
+  CHECK(filling->quality.minimum > 0.2);
+}
+
 TEST_CASE("a search ends within its means, and tells how", "[hex]") {
   const Search box = search(box_solid(), {.cells = 200});
   REQUIRE(box.best);
