@@ -40,7 +40,19 @@ class Chooser {
 public:
   Chooser(const Grid& grid, const std::vector<float>& filled, double full)
       : grid_(grid), filled_(filled), full_(full), in_(filled.size()), flipped_(filled.size()) {
-    for (std::size_t k = 0; k < in_.size(); ++k) in_[k] = filled[k] >= full && filled[k] > 0 ? 1 : 0;
+    for (std::size_t k = 0; k < in_.size(); ++k)
+      in_[k] = filled[k] >= full && filled[k] > 0 && !is_outermost(k) ? 1 : 0;
+  }
+
+  /// One piece whose surface is a manifold. False: there is none.
+  bool choose() {
+    constexpr int most_rounds = 4;
+    for (int round = 0; round < most_rounds; ++round) {
+      keep_largest();
+      if (!make_manifold()) return false;
+      if (is_in_pieces(1)) return true;
+    }
+    return false;
   }
 
   /// One piece inside, and one outside.
@@ -95,6 +107,47 @@ public:
         }
     return result;
   }
+
+  /// Takes and leaves cells, one at a time, that want to be like a neighbor, where the surface stays what it
+  /// is.
+  void follow_neighbors() {
+    constexpr int most_sweeps = 30;
+    for (int sweep = 0; sweep < most_sweeps; ++sweep) {
+      std::vector<std::pair<float, std::size_t>> wishes;
+      for (std::size_t k = 0; k < in_.size(); ++k)
+        if (const float wish = part_of_neighbor(k); wish < 0.5F) wishes.emplace_back(wish, k);
+      std::sort(wishes.begin(), wishes.end());
+      bool is_done = true;
+      for (const auto& [wish, k] : wishes)
+        if (part_of_neighbor(k) < 0.5F && contact(k) == Contact::disk && flips(k)) is_done = false;
+      if (is_done) return;
+    }
+  }
+
+  /// Pierces walls and bridges gaps that are one cell thick, or plugs holes and cuts bridges, the most
+  /// doubtful first, until the genus is this. False: it does not come to that.
+  bool reach_genus(int genus, int most_changes) {
+    int now = (2 - euler()) / 2;
+    for (; now != genus && changes_ < most_changes; ++changes_) {
+      const bool is_more = now < genus;
+      std::vector<std::pair<float, std::size_t>> choice;
+      for (std::size_t k = 0; k < in_.size(); ++k)
+        if (const Contact c = contact(k); c == (is_more ? Contact::ring : Contact::ends))
+          choice.emplace_back(in_[k] != 0 ? filled_[k] : 1 - filled_[k], k);
+      std::sort(choice.begin(), choice.end());
+      const auto is_done = [&](const auto& c) {
+        if (!flips(c.second)) return false;
+        if (is_more || is_in_pieces(1)) return true;
+        in_[c.second] ^= 1;
+        return false;
+      };
+      if (std::none_of(choice.begin(), choice.end(), is_done)) return false;
+      now += is_more ? 1 : -1;
+    }
+    return now == genus && is_in_pieces(1);
+  }
+  /// Of the genus, so far.
+  int changes() const { return changes_; }
 
   bool is_in_pieces(int expected) const {
     for (const char what : {1, 0}) {
@@ -155,6 +208,56 @@ private:
     return true;
   }
 
+  /// How much a cell has of what is taken, or of what is left if it is that, in terms of what the neighbor of
+  /// its kind has that has most of it. Infinite where none has any.
+  float part_of_neighbor(std::size_t cell) const {
+    const auto has = [&](std::size_t k) { return in_[cell] != 0 ? filled_[k] : 1 - filled_[k]; };
+    float most = 0;
+    visit_neighbors(cell, [&](std::size_t n, unsigned) {
+      if (in_[n] == in_[cell]) most = std::max(most, has(n));
+    });
+    return most > 0 ? has(cell) / most : std::numeric_limits<float>::infinity();
+  }
+
+  /// What a cell touches of its own kind, of its six sides: a disk, and then it can change without harm; a
+  /// ring around it, as in a wall; its two ends alone, as in a bridge; all or nothing.
+  enum class Contact { disk, ring, ends, other };
+  Contact contact(std::size_t cell) const {
+    if (is_outermost(cell)) return Contact::other;
+    unsigned like = 0; // a bit for each side, opposite ones beside each other
+    visit_neighbors(cell, [&](std::size_t n, unsigned side) {
+      if (in_[n] == in_[cell]) like |= 1U << side;
+    });
+    constexpr unsigned all = 63;
+    for (const unsigned axis : {3U, 12U, 48U}) {
+      if (like == axis) return Contact::ends;
+      if (like == (all ^ axis)) return Contact::ring;
+    }
+    return like == 0 || like == all ? Contact::other : Contact::disk;
+  }
+
+  /// Changes a cell if all its points have disks afterwards.
+  bool flips(std::size_t cell) {
+    in_[cell] ^= 1;
+    if (faults(cell) == 0) return true;
+    in_[cell] ^= 1;
+    return false;
+  }
+
+  template <class Visit>
+  void visit_neighbors(std::size_t cell, const Visit& visit) const {
+    const auto at = grid_.cell(cell);
+    unsigned side = 0;
+    for (int axis = 0; axis < 3; ++axis)
+      for (const int step : {-1, 1}) {
+        std::array<int, 3> next = at;
+        next[axis] += step;
+        if (next[axis] >= 0 && next[axis] < grid_.cells(axis))
+          visit(grid_.index(next[0], next[1], next[2]), side);
+        ++side;
+      }
+  }
+
   /// By faces; -1 for cells that are not of the kind.
   std::vector<int> pieces(char what) const {
     std::vector<int> piece(in_.size(), -1);
@@ -165,18 +268,13 @@ private:
       piece[k] = count;
       stack.push_back(k);
       while (!stack.empty()) {
-        const auto cell = grid_.cell(stack.back());
+        const std::size_t cell = stack.back();
         stack.pop_back();
-        for (int axis = 0; axis < 3; ++axis)
-          for (const int step : {-1, 1}) {
-            std::array<int, 3> next = cell;
-            next[axis] += step;
-            if (next[axis] < 0 || next[axis] >= grid_.cells(axis)) continue;
-            const std::size_t n = grid_.index(next[0], next[1], next[2]);
-            if (in_[n] != what || piece[n] >= 0) continue;
-            piece[n] = count;
-            stack.push_back(n);
-          }
+        visit_neighbors(cell, [&](std::size_t n, unsigned) {
+          if (in_[n] != what || piece[n] >= 0) return;
+          piece[n] = count;
+          stack.push_back(n);
+        });
       }
       ++count;
     }
@@ -188,6 +286,7 @@ private:
   double full_;
   std::vector<char> in_;
   std::vector<char> flipped_;
+  int changes_ = 0;
 };
 
 } // namespace
@@ -195,14 +294,19 @@ private:
 std::optional<std::vector<char>> chosen_cells(const Grid& grid, const std::vector<float>& filled, int genus,
                                               double full) {
   Chooser chooser(grid, filled, full);
-  constexpr int most_rounds = 4;
-  for (int round = 0; round < most_rounds; ++round) {
-    chooser.keep_largest();
-    if (!chooser.make_manifold()) return std::nullopt;
-    if (chooser.is_in_pieces(1)) break;
-  }
-  if (!chooser.is_in_pieces(1) || chooser.euler() != 2 - 2 * genus) return std::nullopt;
+  if (!chooser.choose() || chooser.euler() != 2 - 2 * genus) return std::nullopt;
   return chooser.take();
+}
+
+std::optional<ThinnedCells> thinned_cells(const Grid& grid, const std::vector<float>& filled, int genus,
+                                          double full) {
+  constexpr int most_changes = 8; // of the genus
+  Chooser chooser(grid, filled, full);
+  if (!chooser.choose()) return std::nullopt;
+  chooser.follow_neighbors();
+  if (!chooser.reach_genus(genus, most_changes)) return std::nullopt;
+  if (chooser.changes() > 0) chooser.follow_neighbors();
+  return ThinnedCells{chooser.take(), chooser.changes()};
 }
 
 } // namespace tetrarch::hex

@@ -20,6 +20,8 @@ using namespace numeric;
 
 /// Solvers are content with a scaled Jacobian above.
 constexpr double content = 0.2;
+/// What a hexahedron has at least for the sake of which points leave the surface that could stay there.
+constexpr double tolerable = 0.05;
 
 /// The box of some points.
 std::array<Point, 2> box_of(const std::vector<Point>& points) {
@@ -94,6 +96,35 @@ void add_layers(Fitted& fitted, const Match& match, double edge) {
   }
 }
 
+/// Points around hexahedra of a scaled Jacobian below `least` may leave the surface, and come back as far as
+/// hexahedra stay good.
+void release(Fitted& fitted, double least, const Targets& targets, const Progress& progress) {
+  constexpr int most_rounds = 3;
+  for (int round = 0; round < most_rounds && fitted.quality.minimum < least; ++round) {
+    product::HexMesh mesh = fitted.hexahedra.mesh;
+    std::vector<char> fixed(mesh.points.size(), 1);
+    for (std::size_t h = 0; h < mesh.hexahedra.size(); ++h)
+      if (fitted.quality.scaled_jacobian[h] < least)
+        for (const int v : mesh.hexahedra[h]) fixed[v] = 0;
+    // Each round one row more around them.
+    for (int row = 0; row < round; ++row) {
+      const std::vector<char> before = fixed;
+      for (const product::Hexahedron& h : mesh.hexahedra)
+        if (std::any_of(h.begin(), h.end(), [&](int v) { return before[v] == 0; }))
+          for (const int v : h) fixed[v] = 0;
+    }
+    product::SmoothOptions options;
+    options.most_sweeps = 10;
+    options.search_below = 0.4;
+    product::smooth(mesh, fixed, options, progress);
+    land(mesh, fitted.home, targets, progress, least);
+    product::HexQuality quality = product::quality(mesh);
+    if (!product::is_better(quality, fitted.quality)) continue;
+    fitted.hexahedra.mesh = std::move(mesh);
+    fitted.quality = std::move(quality);
+  }
+}
+
 void improve(Fitted& fitted, const Targets& targets, const Progress& progress) {
   product::HexMesh& mesh = fitted.hexahedra.mesh;
   const std::vector<Vector> normals = surface_normals(mesh);
@@ -109,6 +140,7 @@ void improve(Fitted& fitted, const Targets& targets, const Progress& progress) {
   product::smooth(mesh, fixed, options, progress);
   land(mesh, fitted.home, targets, progress);
   fitted.quality = product::quality(mesh);
+  release(fitted, tolerable, targets, progress);
 }
 
 Fitted fitted(Fitted start, const Match& match, bool with_layers, double edge, const Targets& targets,
@@ -156,6 +188,24 @@ Filling measured(const product::Solid& solid, Fitted fitted, double edge, const 
   return result;
 }
 
+/// How many of volume and distance are off by more than is tolerated.
+int intolerable(const Filling& filling, const FillOptions& options) {
+  int count = 0;
+  if (!(std::abs(filling.volume_ratio() - 1) <= options.volume_tolerance)) ++count;
+  if (!(filling.deviation.relative() <= options.hausdorff_tolerance)) ++count;
+  return count;
+}
+
+bool is_preferred(const Filling& a, const Filling& b, const FillOptions& options) {
+  if (a.quality.bad.size() != b.quality.bad.size()) return a.quality.bad.size() < b.quality.bad.size();
+  const int off_a = intolerable(a, options);
+  const int off_b = intolerable(b, options);
+  if (off_a != off_b) return off_a < off_b;
+  if (off_a > 0 && std::min(a.quality.minimum, b.quality.minimum) > 0)
+    return a.deviation.relative() < b.deviation.relative();
+  return a.quality.minimum > b.quality.minimum;
+}
+
 /// With one length of edges; nothing where the grid has not the solid's genus.
 std::optional<Filling> filled_with(const product::Solid& solid, double edge, const FillOptions& options,
                                    const Progress& progress) {
@@ -171,37 +221,32 @@ std::optional<Filling> filled_with(const product::Solid& solid, double edge, con
   gently.ends_there = false;
   fit(*cells, unmatched(cells->mesh).home, targets, gently, progress);
   const auto made = [&](const Match& match, const Targets& on) {
-    Filling filling = measured(solid, best_fit(*cells, match, edge, on, progress), edge, progress);
+    Fitted best = best_fit(*cells, match, edge, on, progress);
+    Filling filling = measured(solid, best, edge, progress);
+    // Better hexahedra, if the surface stays near enough.
+    if (intolerable(filling, options) == 0 && best.quality.minimum < content) {
+      release(best, content, on, progress);
+      Filling better = measured(solid, std::move(best), edge, progress);
+      if (is_preferred(better, filling, options)) filling = std::move(better);
+    }
     filling.ridges_of_solid = static_cast<int>(all.ridges.size());
+    filling.ridges = static_cast<int>(on.features().ridges.size());
     return filling;
   };
-  if (const auto match = matched(cells->mesh, solid, targets, progress)) {
-    Filling filling = made(*match, targets);
-    filling.ridges = filling.ridges_of_solid;
-    return filling;
-  }
+  std::optional<Filling> kept;
+  if (const auto match = matched(cells->mesh, solid, targets, progress)) kept = made(*match, targets);
   // Where not all ridges find their ways the sharper ones may.
   for (const double sharper : {60.0, 80.0}) {
+    if (kept) break;
     if (sharper <= options.sharp) continue;
     const Targets fewer(solid, features(solid, {.sharp = sharper, .least_extent = 2 * edge}));
-    const int ridges = static_cast<int>(fewer.features().ridges.size());
-    if (ridges == 0) break;
-    if (const auto match = matched(cells->mesh, solid, fewer, progress)) {
-      Filling filling = made(*match, fewer);
-      filling.ridges = ridges;
-      return filling;
-    }
+    if (fewer.features().ridges.empty()) break;
+    if (const auto match = matched(cells->mesh, solid, fewer, progress)) kept = made(*match, fewer);
   }
+  if (kept && kept->quality.bad.empty()) return kept;
   const Targets smooth(solid, features(solid, {.sharp = 180}));
-  return made(unmatched(cells->mesh), smooth);
-}
-
-/// How many of volume and distance are off by more than is tolerated.
-int intolerable(const Filling& filling, const FillOptions& options) {
-  int count = 0;
-  if (!(std::abs(filling.volume_ratio() - 1) <= options.volume_tolerance)) ++count;
-  if (!(filling.deviation.relative() <= options.hausdorff_tolerance)) ++count;
-  return count;
+  Filling rounded = made(unmatched(cells->mesh), smooth);
+  return kept && !is_preferred(rounded, *kept, options) ? std::move(kept) : std::move(rounded);
 }
 
 /// Of the edges: the step to the next grid is no smaller, and all steps together no larger.
@@ -214,16 +259,6 @@ double finer_part(const Filling& found, const FillOptions& options) {
   const double off = found.deviation.relative() / options.hausdorff_tolerance;
   if (!(off > 0)) return coarsest_step; // nor where both are 0
   return std::clamp(1 / std::sqrt(off), finest_step, coarsest_step);
-}
-
-bool is_preferred(const Filling& a, const Filling& b, const FillOptions& options) {
-  if (a.quality.bad.size() != b.quality.bad.size()) return a.quality.bad.size() < b.quality.bad.size();
-  const int off_a = intolerable(a, options);
-  const int off_b = intolerable(b, options);
-  if (off_a != off_b) return off_a < off_b;
-  if (off_a > 0 && std::min(a.quality.minimum, b.quality.minimum) > 0)
-    return a.deviation.relative() < b.deviation.relative();
-  return a.quality.minimum > b.quality.minimum;
 }
 
 } // namespace

@@ -153,9 +153,8 @@ void fit(SizedHexahedra& hexahedra, const std::vector<Home>& home, const Targets
 }
 
 int land(product::HexMesh& mesh, const std::vector<Home>& home, const Targets& targets,
-         const Progress& progress) {
+         const Progress& progress, double least) {
   constexpr int most_halvings = 5;
-  constexpr double least = 0.2; // what a hexahedron must keep, unless it had less
   const std::vector<Vector> normals = surface_normals(mesh);
   const std::vector<Point> start = mesh.points;
   std::vector<Point> end = start;

@@ -116,6 +116,21 @@ private:
     return best;
   }
 
+  /// The point for a corner with so many ridges. If none with as many edges is near, it is one with fewer:
+  /// then the corner is crowded.
+  int nearest_for(const Point& p, std::size_t ends) const {
+    constexpr std::size_t fewest = 3;
+    constexpr double too_far = 2; // in terms of edges
+    const int nearest = nearest_free(p, fewest);
+    if (nearest < 0) return nearest;
+    const double farthest = distance(mesh_.points[nearest], p) + too_far * squares_.mean_edge;
+    for (std::size_t edges = ends; edges > fewest; --edges) {
+      const int v = nearest_free(p, edges);
+      if (v >= 0 && distance(mesh_.points[v], p) <= farthest) return v;
+    }
+    return nearest;
+  }
+
   bool place_corners() {
     std::map<int, std::size_t> ends;
     for (const Ridge& ridge : targets_.features().ridges) {
@@ -124,8 +139,9 @@ private:
     }
     const std::vector<int>& corners = targets_.features().corners;
     for (int k = 0; k < static_cast<int>(corners.size()); ++k) {
-      const int v = nearest_free(targets_.corner(k), std::max<std::size_t>(3, ends[corners[k]]));
+      const int v = nearest_for(targets_.corner(k), ends[corners[k]]);
       if (v < 0) return false;
+      if (squares_.neighbors[v].size() < ends[corners[k]]) is_crowded_.insert(v);
       result_.home[v] = {Home::Kind::corner, k};
       node_of_corner_[corners[k]] = v;
       for (const int n : squares_.neighbors[v]) corner_beside_[n] = v;
@@ -170,8 +186,54 @@ private:
     return distance(mesh_.points[a], mesh_.points[b]) * (1 + dear * away * away);
   }
 
+  /// The points of ridges within a few edges of a crowded corner: its other ridges may run along them, too.
+  std::set<int> stems(int corner) const {
+    constexpr int longest = 3;
+    std::set<int> result;
+    if (!is_crowded_.contains(corner)) return result;
+    std::vector<int> ends{corner};
+    for (int length = 0; length < longest; ++length) {
+      std::vector<int> next;
+      for (const int v : ends)
+        for (const int n : squares_.neighbors[v])
+          if (is_rim_.contains(edge_of(v, n)) && result_.home[n].kind == Home::Kind::ridge &&
+              result.insert(n).second)
+            next.push_back(n);
+      ends = std::move(next);
+    }
+    return result;
+  }
+
+  /// The two ends of a way, and the stems along which it may leave the one and come to the other.
+  struct Ends {
+    int from = 0;
+    int to = 0;
+    std::set<int> leaving;
+    std::set<int> arriving;
+
+    bool leaves(int v) const { return v == from || leaving.contains(v); }
+    bool arrives(int v) const { return v == to || arriving.contains(v); }
+  };
+
+  Ends ends_of(int from, int to) const {
+    Ends ends{from, to, stems(from), stems(to)};
+    // A ridge between the two would be crossed by who came to it and left it again.
+    for (const int v : std::set<int>(ends.leaving))
+      if (ends.arriving.erase(v) > 0) ends.leaving.erase(v);
+    return ends;
+  }
+
+  /// Whether a way may take the step. A stem is left on one side only, so no ridge is crossed.
+  bool may_step(const Ends& ends, int v, int n) const {
+    if (is_rim_.contains(edge_of(v, n)))
+      return (ends.leaves(v) && ends.leaving.contains(n)) || (ends.arriving.contains(v) && ends.arrives(n));
+    if (ends.arriving.contains(v)) return false;
+    return !is_taken(n) || ends.arrives(n);
+  }
+
   bool connect(int from, int to, int r) {
     constexpr double narrow = 6; // times as dear
+    const Ends ends = ends_of(from, to);
     std::map<int, double> reached{{from, 0}};
     std::map<int, int> before;
     using Entry = std::pair<double, int>;
@@ -183,12 +245,12 @@ private:
       if (v == to) break;
       if (so_far > reached[v]) continue;
       for (const int n : squares_.neighbors[v]) {
-        if (n != to && is_taken(n)) continue;
-        if (is_rim_.contains(edge_of(v, n))) continue;
+        if (!may_step(ends, v, n)) continue;
         // Where another corner's ridges may have to start there is a way for few.
         const auto beside = corner_beside_.find(n);
         const bool is_narrow =
-            beside != corner_beside_.end() && beside->second != from && beside->second != to;
+            (beside != corner_beside_.end() && beside->second != from && beside->second != to) ||
+            is_rim_.contains(edge_of(v, n));
         const double there = so_far + (is_narrow ? narrow : 1) * cost(v, n, r);
         const auto found = reached.find(n);
         if (found != reached.end() && found->second <= there) continue;
@@ -200,7 +262,7 @@ private:
     if (!before.contains(to)) return false;
     for (int v = to; v != from; v = before[v]) {
       is_rim_.insert(edge_of(v, before[v]));
-      if (v != to) result_.home[v] = {Home::Kind::ridge, r};
+      if (!is_taken(v)) result_.home[v] = {Home::Kind::ridge, r};
     }
     return true;
   }
@@ -304,6 +366,7 @@ private:
   std::vector<Vector> normals_;
   std::map<int, int> node_of_corner_;
   std::map<int, int> corner_beside_; ///< of a point beside a corner: the last such corner
+  std::set<int> is_crowded_;         ///< points of corners with fewer edges than ridges
   std::set<Edge> is_rim_;            ///< edges of paths
   Match result_;
 };

@@ -254,6 +254,126 @@ TEST_CASE("what no grid fits is not filled, and a stop is heeded", "[hex]") {
   CHECK_THROWS_AS(fill(box_solid(), {}, Progress({}, stop.get_token())), Stopped);
 }
 
+TEST_CASE("a wall thinner than the cells keeps a row of them", "[hex]") {
+  // A block with a plate beside it that fills a fifth of its cells: neither half full nor lost.
+  std::set<std::array<int, 3>> block;
+  for (int x = 1; x < 4; ++x)
+    for (int y = 1; y < 6; ++y)
+      for (int z = 1; z < 6; ++z) block.insert({x, y, z});
+  Marked marked(10, block);
+  for (int x = 4; x < 9; ++x)
+    for (int y = 1; y < 6; ++y) marked.filled[marked.grid.index(x, y, 3)] = 0.2F;
+  // What is beside the plate's cells is touched, and less than half as full.
+  for (int x = 4; x < 9; ++x)
+    for (int y = 1; y < 6; ++y) marked.filled[marked.grid.index(x, y, 4)] = 0.05F;
+  const auto half = chosen_cells(marked.grid, marked.filled, 0);
+  REQUIRE(half);
+  CHECK(std::count(half->begin(), half->end(), 1) == 75);
+  const auto thin = thinned_cells(marked.grid, marked.filled, 0, 0.01);
+  REQUIRE(thin);
+  CHECK(thin->changes == 0);
+  CHECK(euler(cells_of(marked.grid, thin->chosen).mesh) == 2);
+  // The cells beside the block may go, as far as the plate hangs together with it.
+  for (int x = 5; x < 9; ++x)
+    for (int y = 1; y < 6; ++y) {
+      CHECK(thin->chosen[marked.grid.index(x, y, 3)] == 1);
+      CHECK(thin->chosen[marked.grid.index(x, y, 4)] == 0);
+    }
+}
+
+TEST_CASE("holes are pierced and bridges laid where the genus wants them", "[hex]") {
+  // A ring of eight cells around one that is nearly empty: a membrane, if a little is enough to be taken.
+  std::set<std::array<int, 3>> ring;
+  for (int x = 1; x < 4; ++x)
+    for (int y = 1; y < 4; ++y)
+      if (x != 2 || y != 2) ring.insert({x, y, 1});
+  Marked closed(6, ring);
+  closed.filled[closed.grid.index(2, 2, 1)] = 0.3F;
+  CHECK_FALSE(chosen_cells(closed.grid, closed.filled, 1, 0.2));
+  // The same where a cell of the ring is nearly full.
+  Marked open(6, ring);
+  open.filled[open.grid.index(2, 1, 1)] = 0.4F;
+  CHECK_FALSE(chosen_cells(open.grid, open.filled, 1, 0.5));
+  for (const auto& [marked, full] : {std::pair(&closed, 0.2), std::pair(&open, 0.5)}) {
+    const auto one = thinned_cells(marked->grid, marked->filled, 1, full);
+    REQUIRE(one);
+    CHECK(one->changes == 1);
+    CHECK(std::count(one->chosen.begin(), one->chosen.end(), 1) == 8);
+    CHECK(one->chosen[marked->grid.index(2, 2, 1)] == 0);
+    CHECK(euler(cells_of(marked->grid, one->chosen).mesh) == 0);
+    const auto none = thinned_cells(marked->grid, marked->filled, 0, full);
+    REQUIRE(none);
+    CHECK(none->changes == 0);
+    CHECK(euler(cells_of(marked->grid, none->chosen).mesh) == 2);
+    // One hole is all that one cell can make.
+    CHECK_FALSE(thinned_cells(marked->grid, marked->filled, 2, full));
+  }
+}
+
+TEST_CASE("a corner where more ridges meet than a point has edges is kept with all of them", "[hex]") {
+  // Pyramids of n sides, 2 high over a base of radius 1, cut into n tetrahedra around the axis.
+  for (const int n : {7, 8}) {
+    mesh::TetMesh pyramid;
+    pyramid.points = {{0, 0, 2}, {0, 0, 0}};
+    for (int k = 0; k < n; ++k) {
+      const double angle = 2 * std::numbers::pi * k / n;
+      pyramid.points.push_back({std::cos(angle), std::sin(angle), 0});
+    }
+    for (int k = 0; k < n; ++k) pyramid.tetrahedra.push_back({1, 2 + k, 2 + (k + 1) % n, 0});
+    const product::Solid solid = product::solid(pyramid);
+    const auto filling = fill(solid, {.cells = 600, .sharp = 30, .most_effort = 1});
+    REQUIRE(filling);
+    CHECK(filling->ridges_of_solid == 2 * n);
+    CHECK(filling->ridges == 2 * n);
+    CHECK(filling->quality.bad.empty());
+    CHECK(std::abs(filling->volume_ratio() - 1) < 0.02);
+  }
+}
+
+TEST_CASE("a slanted plate thinner than the cells is filled", "[hex]") {
+  // Half as thick as edges are long, turned about two axes.
+  auto plate = support::box({0.6, 0.5, 0.05}, {4, 4, 1}, 0).mesh;
+  for (Point& p : plate.points) {
+    p = {0.8 * p[0] - 0.6 * p[2], p[1], 0.6 * p[0] + 0.8 * p[2]};
+    p = {p[0], 0.8 * p[1] - 0.6 * p[2], 0.6 * p[1] + 0.8 * p[2]};
+  }
+  const product::Solid solid = product::solid(plate);
+  const auto filling = fill(solid, {.edge = 0.1});
+  REQUIRE(filling);
+  CHECK(filling->quality.bad.empty());
+  CHECK(filling->volume == Approx(0.6 * 0.5 * 0.05).epsilon(0.01));
+  CHECK(filling->deviation.relative() < 0.01);
+}
+
+TEST_CASE("a plate is not lost where none of its cells is half full", "[hex]") {
+  // A fifth as thick as edges are long.
+  auto plate = support::box({0.6, 0.5, 0.02}, {4, 4, 1}, 0).mesh;
+  for (Point& p : plate.points) {
+    p = {0.8 * p[0] - 0.6 * p[2], p[1], 0.6 * p[0] + 0.8 * p[2]};
+    p = {p[0], 0.8 * p[1] - 0.6 * p[2], 0.6 * p[1] + 0.8 * p[2]};
+  }
+  const auto filling = fill(product::solid(plate), {.edge = 0.1, .most_effort = 1});
+  REQUIRE(filling);
+  CHECK(filling->quality.bad.empty());
+  // No part of the plate is farther away than cells are long.
+  CHECK(filling->deviation.from_solid < 0.1);
+}
+
+TEST_CASE("in a sharp wedge hexahedra stay good at the cost of its edge", "[hex]") {
+  // Of 8 degrees: a hexahedron with a corner there has a scaled Jacobian of sin(8) = 0.14 at most.
+  mesh::TetMesh wedge;
+  const double half = 2 * std::tan(4 * std::numbers::pi / 180);
+  for (const double z : {0.0, 1.0})
+    for (const Point& p : {Point{0, 0, z}, {2, -half, z}, {2, half, z}}) wedge.points.push_back(p);
+  wedge.tetrahedra = {{0, 1, 2, 5}, {0, 1, 5, 4}, {0, 4, 5, 3}};
+  const auto filling =
+      fill(product::solid(wedge),
+           {.cells = 500, .volume_tolerance = 0.1, .hausdorff_tolerance = 0.1, .most_effort = 1});
+  REQUIRE(filling);
+  CHECK(filling->quality.minimum > std::sin(8 * std::numbers::pi / 180));
+  CHECK(filling->quality.minimum > 0.2);
+}
+
 TEST_CASE("a search ends within its means, and tells how", "[hex]") {
   const Search box = search(box_solid(), {.cells = 200});
   REQUIRE(box.best);

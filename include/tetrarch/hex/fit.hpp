@@ -35,10 +35,10 @@ std::vector<char> deep_points(const product::HexMesh& mesh, const std::vector<Ho
 void fit(SizedHexahedra& hexahedra, const std::vector<Home>& home, const Targets& targets,
          const FitOptions& options = {}, const Progress& progress = {});
 
-/// Points of the surface go to their homes, or as far on the way as the hexahedra around them stay good;
-/// returns how many are not there. O(n log n).
+/// Points of the surface go to their homes, or as far on the way as the hexahedra around them keep the scaled
+/// Jacobian `least`, or nine tenths of a lesser one; returns how many are not there. O(n log n).
 int land(product::HexMesh& mesh, const std::vector<Home>& home, const Targets& targets,
-         const Progress& progress = {});
+         const Progress& progress = {}, double least = 0.2);
 
 /// The normal of the mesh's surface at each of its points, unit; zero inside. O(n log n).
 std::vector<Vector> surface_normals(const product::HexMesh& mesh);

@@ -55,6 +55,18 @@ std::vector<float> filled(const product::Solid& solid, const std::vector<Point>&
 [[nodiscard]] std::optional<std::vector<char>>
 chosen_cells(const Grid& grid, const std::vector<float>& filled, int genus, double full = 0.5);
 
+struct ThinnedCells {
+  std::vector<char> chosen; ///< 1 each
+  int changes = 0;          ///< holes and bridges, made or closed, for the genus
+};
+/// The same for walls and gaps thinner than the cells, with `full` so small, or so near to 1, that walls or
+/// gaps hang together. Then cells are left again that are less than half as full as a neighbor that is taken,
+/// and taken that are less than half as empty as one that is left, where the surface stays what it is. So a
+/// wall keeps a row of cells. If the genus is another, what is one cell thick is pierced or closed, the most
+/// doubtful first.
+[[nodiscard]] std::optional<ThinnedCells> thinned_cells(const Grid& grid, const std::vector<float>& filled,
+                                                        int genus, double full);
+
 /// A hexahedron's lengths along its edges from corner 0 to 1, 3 and 4.
 using Lengths = std::array<double, 3>;
 
