@@ -69,14 +69,14 @@ Tree wirtinger_tree(const Exterior& x) {
 diagram::Diagram open_diagram(const std::string& what, const OpenOptions& options, std::uint64_t seed,
                               const Progress& progress) {
   if (diagram::looks_like_diagram(what)) return diagram::read_diagram(what, "the code given");
-  if (!is_file(what, options.locate))
+  if (!is_file(what, options.samples))
     if (std::optional<diagram::Diagram> named = diagram::named_diagram(what)) return std::move(*named);
-  if (!is_file(what, options.locate))
+  if (!is_file(what, options.samples))
     throw InputError(in_quotes(what) + " is no file, no name of a knot, link or graph and no code of a "
                                        "diagram (expected embedding, PD, X[...], "
                                        "braid, DT, Gauss or Conway)");
   const std::string source = format::source_name(what);
-  const std::string text = format::read_file(located(what, options.locate));
+  const std::string text = format::read_file(located(what, options.samples));
   if (diagram::looks_like_diagram(text) || !diagram::looks_like_curve(text))
     return diagram::read_diagram(text, source);
   const diagram::Curve curve = diagram::read_curve(text, source);

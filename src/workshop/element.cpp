@@ -17,6 +17,19 @@
 namespace tetrarch::workshop {
 namespace {
 
+namespace fs = std::filesystem;
+
+constexpr std::string_view prefix = "samples/";
+
+std::string names_in(const fs::path& folder) {
+  std::vector<std::string> names;
+  std::error_code failed;
+  for (const auto& entry : fs::directory_iterator(folder, failed))
+    names.push_back(entry.path().filename().string());
+  std::sort(names.begin(), names.end());
+  return joined(names, ", ");
+}
+
 /// The numbers, from 1, of the elements whose names fit.
 std::vector<std::size_t> numbers_of(const format::Collection& collection,
                                     const std::function<bool(const std::string&)>& fits) {
@@ -57,25 +70,33 @@ std::size_t number_named(const format::Collection& collection, const std::string
 
 } // namespace
 
-std::string located(const std::string& argument, Locate locate) {
-  return locate == nullptr ? argument : locate(argument);
-}
-
-bool is_file(const std::string& argument, Locate locate) {
+std::string located(const std::string& argument, const Samples& samples) {
   std::error_code ignored;
-  return argument == "-" || std::filesystem::exists(located(argument, locate), ignored);
+  if (!samples || !argument.starts_with(prefix) || fs::exists(argument, ignored)) return argument;
+  const fs::path folder = *samples;
+  const fs::path sample = folder / argument.substr(prefix.size());
+  if (fs::is_regular_file(sample, ignored)) return sample.string();
+  const std::string names = names_in(folder);
+  throw InputError({argument, 0}, names.empty()
+                                      ? "no such file, and no samples are installed in " + folder.string()
+                                      : "no such file, and no such sample (expected one of " + names + ")");
 }
 
-std::optional<FileElement> file_element(const std::string& argument, Locate locate) {
-  if (is_file(argument, locate)) return std::nullopt;
+bool is_file(const std::string& argument, const Samples& samples) {
+  std::error_code ignored;
+  return argument == "-" || fs::exists(located(argument, samples), ignored);
+}
+
+std::optional<FileElement> file_element(const std::string& argument, const Samples& samples) {
+  if (is_file(argument, samples)) return std::nullopt;
   for (std::size_t at = argument.find('#'); at != std::string::npos; at = argument.find('#', at + 1))
-    if (is_file(argument.substr(0, at), locate))
+    if (is_file(argument.substr(0, at), samples))
       return FileElement{argument.substr(0, at), argument.substr(at + 1)};
   return std::nullopt;
 }
 
-format::Collection read_collection(const std::string& path, Locate locate) {
-  return collection_in(format::read_file(located(path, locate)), format::source_name(path));
+format::Collection read_collection(const std::string& path, const Samples& samples) {
+  return collection_in(format::read_file(located(path, samples)), format::source_name(path));
 }
 
 format::Document chosen(format::Collection collection, const std::string& element,

@@ -114,9 +114,9 @@ format::Document gluings_of(std::string_view text, const std::string& source, co
 }
 
 /// The triangulation that stands in the argument, or that it chooses in a file; not a file as a whole.
-format::Document given_document(const std::string& argument, Locate locate) {
-  if (const std::optional<FileElement> found = file_element(argument, locate))
-    return chosen(read_collection(found->path, locate), found->element, argument);
+format::Document given_document(const std::string& argument, const Samples& samples) {
+  if (const std::optional<FileElement> found = file_element(argument, samples))
+    return chosen(read_collection(found->path, samples), found->element, argument);
   if (diagram::looks_like_diagram(argument)) return gluings_of(argument, given_diagram);
   if (const std::optional<diagram::Diagram> knot = diagram::named_diagram(argument))
     return format::document_of(diagram::exterior(*knot), argument);
@@ -124,9 +124,10 @@ format::Document given_document(const std::string& argument, Locate locate) {
 }
 
 /// The mesh in a file, or nothing if something else is in it, which is then `text`.
-std::optional<format::MeshDocument> mesh_in(const std::string& path, Locate locate, std::string& text) {
+std::optional<format::MeshDocument> mesh_in(const std::string& path, const Samples& samples,
+                                            std::string& text) {
   const std::string source = format::source_name(path);
-  text = format::read_file(located(path, locate));
+  text = format::read_file(located(path, samples));
   const auto format = format::recognise_mesh(text, source);
   if (!format) return std::nullopt;
   if (*format == format::MeshFormat::json) return format::read_mesh_json(text, source);
@@ -158,9 +159,10 @@ std::string kind_of(const Content& content) {
 Content open(const std::string& what, const OpenOptions& options) {
   if (is_group(what)) return content_of(what, given_group);
   if (is_json(what)) return content_of(what, given_json);
-  if (!is_file(what, options.locate)) return given_document(what, options.locate);
+  if (!is_file(what, options.samples)) return given_document(what, options.samples);
   std::string text;
-  if (std::optional<format::MeshDocument> mesh = mesh_in(what, options.locate, text)) return std::move(*mesh);
+  if (std::optional<format::MeshDocument> mesh = mesh_in(what, options.samples, text))
+    return std::move(*mesh);
   return content_of(text, format::source_name(what));
 }
 
@@ -174,9 +176,9 @@ format::Document triangulation_of(const std::string& name, const Content& conten
 
 format::Document open_triangulation(const std::string& what, const OpenOptions& options,
                                     const Progress& progress) {
-  if (!is_file(what, options.locate)) return given_document(what, options.locate);
+  if (!is_file(what, options.samples)) return given_document(what, options.samples);
   std::string text;
-  std::optional<format::MeshDocument> mesh = mesh_in(what, options.locate, text);
+  std::optional<format::MeshDocument> mesh = mesh_in(what, options.samples, text);
   if (!mesh) return gluings_of(text, format::source_name(what), progress);
   text = std::string();
   return triangulation_of(std::move(mesh->soup), options.doctor, progress);
@@ -184,12 +186,12 @@ format::Document open_triangulation(const std::string& what, const OpenOptions& 
 
 format::Soup open_mesh(const std::string& what, const OpenOptions& options) {
   if (is_json(what)) return format::read_mesh_json(what, given_json).soup;
-  if (!is_file(what, options.locate))
+  if (!is_file(what, options.samples))
     throw InputError(
         {what, 0},
         "there is no such file (expected a mesh, because other triangulations have no coordinates)",
         Cause::file);
-  const std::string path = located(what, options.locate);
+  const std::string path = located(what, options.samples);
   format::Soup soup = format::read_soup_file(path);
   if (path != what) soup.source = what;
   return soup;

@@ -47,6 +47,21 @@ TEST_CASE("what is opened says what it is", "[workshop]") {
   CHECK_THROWS_AS(open_mesh("cPcbbbiht"), InputError);
 }
 
+TEST_CASE("samples are looked for in the folder given", "[workshop]") {
+  const OpenOptions options{{}, data + "mesh"};
+  const format::Soup cube = open_mesh("samples/cube.off", options);
+  CHECK(cube.triangles.size() == 12); // as the file says
+  CHECK(cube.source == "samples/cube.off");
+  CHECK(kind_of(open("samples/torus.off", options)) == "surface");
+  CHECK_THROWS_WITH(open_mesh("samples/no.off", options),
+                    Catch::Contains("no such sample (expected one of cube.off, double_torus.off, "));
+  CHECK_THROWS_WITH(open_mesh("samples/no.off", {{}, data + "nowhere"}),
+                    Catch::Contains("no samples are installed in " + data + "nowhere"));
+  CHECK_THROWS_WITH(open_mesh("samples/cube.off"), Catch::Contains("there is no such file"));
+  CHECK(located("samples/cube.off", std::nullopt) == "samples/cube.off");
+  CHECK(located("cube.off", data + "mesh") == "cube.off");
+}
+
 TEST_CASE("what is not there is refused with the nearest names", "[workshop]") {
   CHECK(refusal("m0041").find("m004") != std::string::npos);
   CHECK(refusal("no_such_file.mesh").find("no file") != std::string::npos);

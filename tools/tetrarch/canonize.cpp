@@ -56,7 +56,7 @@ struct IsometricOptions {
 Result compare_pairs(const IsometricOptions& options, const Context& context) {
   context.reads->any = true;
   const auto open = [&context](const std::string& what) {
-    return workshop::open_diagram(what, {{}, located}, context.seed, context.progress);
+    return workshop::open_diagram(what, {{}, samples_folder()}, context.seed, context.progress);
   };
   const diagram::Diagram x = open(options.x);
   const diagram::Diagram y = open(options.y);

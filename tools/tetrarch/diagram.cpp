@@ -24,7 +24,7 @@ constexpr const char* code_help =
 
 diagram::Diagram read_diagram(const std::string& argument, const Context& context) {
   context.reads->any = true;
-  return workshop::open_diagram(argument, {{}, located}, context.seed, context.progress);
+  return workshop::open_diagram(argument, {{}, samples_folder()}, context.seed, context.progress);
 }
 
 struct ExteriorOptions {

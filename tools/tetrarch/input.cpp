@@ -38,7 +38,7 @@ std::string bared(const std::string& argument) {
 }
 
 workshop::OpenOptions opened_with(const Doctor& doctor) {
-  return {doctor, located};
+  return {doctor, samples_folder()};
 }
 
 } // namespace

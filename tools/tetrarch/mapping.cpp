@@ -18,7 +18,7 @@ namespace {
 
 bool stands_for_all(const std::string& word) {
   if (!word.ends_with("#*")) return false;
-  const std::optional<workshop::FileElement> found = workshop::file_element(word, located);
+  const std::optional<workshop::FileElement> found = workshop::file_element(word, samples_folder());
   return found && found->element == "*";
 }
 
@@ -62,8 +62,8 @@ std::optional<Mapping> mapping_in(const std::vector<std::string>& words) {
   Mapping mapping{words, 0, {}, {}};
   mapping.at =
       static_cast<std::size_t>(std::find_if(words.begin(), words.end(), stands_for_all) - words.begin());
-  mapping.path = workshop::file_element(words[mapping.at], located)->path;
-  mapping.collection = workshop::read_collection(mapping.path, located);
+  mapping.path = workshop::file_element(words[mapping.at], samples_folder())->path;
+  mapping.collection = workshop::read_collection(mapping.path, samples_folder());
   require_many_outputs(mapping);
   return mapping;
 }

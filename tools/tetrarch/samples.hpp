@@ -5,10 +5,12 @@
 
 namespace tetrarch::program {
 
-/// Where the file that an argument names lies. A name that begins with "samples/" and is no file here is one
-/// of those that were installed with the program: samples/torus.off, say, is then
-/// PREFIX/share/tetrarch/samples/torus.off, found from where the program itself lies. Every other argument
-/// comes back as it is. Throws InputError, with the list of samples, where there is no sample of that name.
+/// Where the samples lie that were installed with the program: PREFIX/share/tetrarch/samples, found from
+/// where the program itself lies. Empty on a system that does not say where that is.
+std::string samples_folder();
+
+/// Where the file that an argument names lies: a file of the user's, or a sample, as `workshop::located`
+/// says.
 std::string located(const std::string& argument);
 
 } // namespace tetrarch::program

@@ -3,9 +3,8 @@
 
 /// Size and quality of a mesh: what one looks at before computing on it.
 ///
-///          3         Six dihedral angles; 70.5 degrees each if the tetrahedron is regular, near 0 and 180 if
-///          it
-///        / | .       is a sliver. The scaled Jacobian is
+///          3         Six dihedral angles; 70.5 degrees each if the tetrahedron is regular, near 0 and 180
+///        / | .       if it is a sliver. The scaled Jacobian is
 ///       0--|--2
 ///        . | /           sqrt(2) det / the greatest product of the lengths of the edges at a corner:
 ///          1

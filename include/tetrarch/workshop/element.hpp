@@ -14,14 +14,15 @@
 
 namespace tetrarch::workshop {
 
-/// Where the file that an argument names lies, if not just there: for names such as "samples/torus.off".
-/// Null: each name is a path.
-using Locate = std::string (*)(const std::string&);
+/// The folder of the files that came with a program, if there are such: "samples/torus.off" is torus.off
+/// there, unless it is a file as it stands.
+using Samples = std::optional<std::string>;
 
-/// Whether the argument is "-" or names what exists in the file system.
-bool is_file(const std::string& argument, Locate locate = nullptr);
-/// The argument as `locate` says.
-std::string located(const std::string& argument, Locate locate);
+/// Where the file that an argument names lies. Throws InputError, with the list of samples, for a sample that
+/// is not there.
+std::string located(const std::string& argument, const Samples& samples);
+/// Whether the argument is "-" or names what exists in the file system, or a sample.
+bool is_file(const std::string& argument, const Samples& samples = std::nullopt);
 
 /// A file and which of its triangulations is meant.
 struct FileElement {
@@ -31,10 +32,10 @@ struct FileElement {
 
 /// What stands before and after the first # before which a file is named. Nothing if there is none such, or
 /// if the whole argument is a file's name.
-std::optional<FileElement> file_element(const std::string& argument, Locate locate = nullptr);
+std::optional<FileElement> file_element(const std::string& argument, const Samples& samples = std::nullopt);
 
 /// All triangulations of a file. Throws InputError as `format::read_all`.
-format::Collection read_collection(const std::string& path, Locate locate = nullptr);
+format::Collection read_collection(const std::string& path, const Samples& samples = std::nullopt);
 
 /// The element that is meant: its number, else its name, else the only name that begins so. The ledger of the
 /// file is added to its own. Throws InputError that names `argument` if there is none or no telling which.

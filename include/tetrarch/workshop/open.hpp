@@ -8,9 +8,11 @@
 ///     open_triangulation("body.mesh")         a file (its format found from its content): a mesh of
 ///                                             tetrahedra, a closed surface, which TetGen fills, or gluings
 ///     open_triangulation("knots.rga#3")       one of several in a file (element.hpp)
-///     open_triangulation("braid 1 -2 1 -2")   the code of a diagram, whose exterior it becomes; or a file of
-///     one open_triangulation("4_1")               a knot of Rolfsen's table open_triangulation("-") standard
-///     input open_triangulation("{ ... }")           JSON spelled out
+///     open_triangulation("braid 1 -2 1 -2")   the code of a diagram, whose exterior it becomes,
+///                                             or a file of such a code
+///     open_triangulation("4_1")               a knot of Rolfsen's table
+///     open_triangulation("-")                 standard input
+///     open_triangulation("{ ... }")           JSON spelled out
 ///
 /// What a read passed over and what else it has to say stands in `passed_over` and `warnings` of the result.
 
@@ -32,7 +34,7 @@ using Content = std::variant<format::Document, format::MeshDocument, format::Gro
 
 struct OpenOptions {
   Doctor doctor; ///< mends a mesh first
-  Locate locate = nullptr;
+  Samples samples = std::nullopt;
 };
 
 /// A mesh stays a mesh; any other text is a triangulation or a group ("< a, b | abAB >"). Throws InputError
