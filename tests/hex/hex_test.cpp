@@ -313,14 +313,14 @@ TEST_CASE("holes are pierced and bridges laid where the genus wants them", "[hex
 TEST_CASE("a corner where more ridges meet than a point has edges is kept with all of them", "[hex]") {
   // Pyramids of n sides, 2 high over a base of radius 1, cut into n tetrahedra around the axis.
   for (const int n : {7, 8}) {
-    mesh::TetMesh pyramid;
+    solid::TetMesh pyramid;
     pyramid.points = {{0, 0, 2}, {0, 0, 0}};
     for (int k = 0; k < n; ++k) {
       const double angle = 2 * std::numbers::pi * k / n;
       pyramid.points.push_back({std::cos(angle), std::sin(angle), 0});
     }
     for (int k = 0; k < n; ++k) pyramid.tetrahedra.push_back({1, 2 + k, 2 + (k + 1) % n, 0});
-    const product::Solid solid = product::solid(pyramid);
+    const product::Solid solid = product::solid_of(pyramid);
     const auto filling = fill(solid, {.cells = 600, .sharp = 30, .most_effort = 1});
     REQUIRE(filling);
     CHECK(filling->ridges_of_solid == 2 * n);
@@ -337,7 +337,7 @@ TEST_CASE("a slanted plate thinner than the cells is filled", "[hex]") {
     p = {0.8 * p[0] - 0.6 * p[2], p[1], 0.6 * p[0] + 0.8 * p[2]};
     p = {p[0], 0.8 * p[1] - 0.6 * p[2], 0.6 * p[1] + 0.8 * p[2]};
   }
-  const product::Solid solid = product::solid(plate);
+  const product::Solid solid = product::solid_of(plate);
   const auto filling = fill(solid, {.edge = 0.1});
   REQUIRE(filling);
   CHECK(filling->quality.bad.empty());
@@ -352,7 +352,7 @@ TEST_CASE("a plate is not lost where none of its cells is half full", "[hex]") {
     p = {0.8 * p[0] - 0.6 * p[2], p[1], 0.6 * p[0] + 0.8 * p[2]};
     p = {p[0], 0.8 * p[1] - 0.6 * p[2], 0.6 * p[1] + 0.8 * p[2]};
   }
-  const auto filling = fill(product::solid(plate), {.edge = 0.1, .most_effort = 1});
+  const auto filling = fill(product::solid_of(plate), {.edge = 0.1, .most_effort = 1});
   REQUIRE(filling);
   CHECK(filling->quality.bad.empty());
   // No part of the plate is farther away than cells are long.
@@ -361,13 +361,13 @@ TEST_CASE("a plate is not lost where none of its cells is half full", "[hex]") {
 
 TEST_CASE("in a sharp wedge hexahedra stay good at the cost of its edge", "[hex]") {
   // Of 8 degrees: a hexahedron with a corner there has a scaled Jacobian of sin(8) = 0.14 at most.
-  mesh::TetMesh wedge;
+  solid::TetMesh wedge;
   const double half = 2 * std::tan(4 * std::numbers::pi / 180);
   for (const double z : {0.0, 1.0})
     for (const Point& p : {Point{0, 0, z}, {2, -half, z}, {2, half, z}}) wedge.points.push_back(p);
   wedge.tetrahedra = {{0, 1, 2, 5}, {0, 1, 5, 4}, {0, 4, 5, 3}};
   const auto filling =
-      fill(product::solid(wedge),
+      fill(product::solid_of(wedge),
            {.cells = 500, .volume_tolerance = 0.1, .hausdorff_tolerance = 0.1, .most_effort = 1});
   REQUIRE(filling);
   CHECK(filling->quality.minimum > std::sin(8 * std::numbers::pi / 180));
