@@ -38,7 +38,8 @@ template <class List, class Text>
 std::string array_text(const List& list, int depth, Text text) {
   std::string array = "[";
   const std::string start = "\n" + indent(depth + 1);
-  // Room for all is made once, as the first entries say, and a tenth more: growth by doubling would need thrice.
+  // Room for all is made once, as the first entries say, and a tenth more: growth by doubling would need
+  // thrice.
   constexpr std::size_t sample = 1000;
   std::size_t count = 0;
   for (const auto& entry : list) {

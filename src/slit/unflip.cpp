@@ -291,8 +291,8 @@ private:
     return result;
   }
 
-  /// Of a vertex of one triangle: the step that takes it to the middle between the two others. On a circle that
-  /// is where the triangle is widest; along the tangent it would grow for ever.
+  /// Of a vertex of one triangle: the step that takes it to the middle between the two others. On a circle
+  /// that is where the triangle is widest; along the tangent it would grow for ever.
   Complex to_the_middle(int v) const {
     const surface::SideEnd e = some_end_[v];
     const Side opposite(e.side.triangle(), e.corner());

@@ -11,8 +11,9 @@
 ///
 /// Harmonic maps flip nothing where no weight is negative, but for triangles near the ends of slits, where
 /// the turning point lies between vertices. Meshes with obtuse angles have negative weights. Source: Freitag
-/// and Plassmann, "Local optimization-based simplicial mesh untangling and improvement" (2000). Where vertices
-/// block each other, those of a part are moved together, by the foldover-free energy (unfold/unfold.hpp).
+/// and Plassmann, "Local optimization-based simplicial mesh untangling and improvement" (2000). Where
+/// vertices block each other, those of a part are moved together, by the foldover-free energy
+/// (unfold/unfold.hpp).
 
 #include "tetrarch/slit/circular_map.hpp"
 
