@@ -33,23 +33,21 @@ std::string indent(int depth);
 /// twice.
 std::string object_text(const Json& read, std::vector<JsonMember> known, int depth);
 
-/// `list` as an array with one entry a line, each as `text(entry)` says.
-template <class List, class Text>
-std::string array_text(const List& list, int depth, Text text) {
+/// An array of `size` entries, one a line, the k-th as `text(k)` says.
+template <class Text>
+std::string array_text(std::size_t size, int depth, Text text) {
+  if (size == 0) return "[]";
   std::string array = "[";
   const std::string start = "\n" + indent(depth + 1);
-  // Room for all is made once, as the first entries say, and a tenth more: growth by doubling would need
-  // thrice.
+  // Room for all is made once, as the first entries say, and a tenth more: growth by doubling needs thrice.
   constexpr std::size_t sample = 1000;
-  std::size_t count = 0;
-  for (const auto& entry : list) {
-    if (array.size() > 1) array += ',';
+  for (std::size_t k = 0; k < size; ++k) {
+    if (k > 0) array += ',';
     array += start;
-    array += text(entry);
-    if (++count == sample) array.reserve(list.size() / sample * array.size() / 10 * 11);
+    array += text(k);
+    if (k == sample) array.reserve(size / sample * array.size() / 10 * 11);
   }
-  if (array.size() > 1) array += "\n" + indent(depth);
-  array += ']';
+  array += "\n" + indent(depth) + "]";
   return array;
 }
 
@@ -70,10 +68,11 @@ std::string row_text(const Entries& entries, Text text) {
   return (line.empty() ? "[" : line) + "]";
 }
 
-/// The same; nothing if it is empty.
+/// `list` as an array with one entry a line, each as `text(entry)` says; nothing if it is empty.
 template <class List, class Text>
 std::optional<std::string> list_text(const List& list, int depth, Text text) {
-  return list.empty() ? std::nullopt : std::optional(array_text(list, depth, text));
+  if (list.empty()) return std::nullopt;
+  return array_text(list.size(), depth, [&](std::size_t k) { return text(list[k]); });
 }
 
 /// Each entry an array of integers.

@@ -7,7 +7,6 @@
 
 #include <nlohmann/json.hpp>
 #include <optional>
-#include <ranges>
 #include <utility>
 #include <vector>
 
@@ -15,7 +14,8 @@ namespace tetrarch::format {
 namespace {
 
 std::string gluings_text(const Triangulation& tri) {
-  return array_text(std::views::iota(0, tri.size()), 1, [&tri](int t) {
+  return array_text(static_cast<std::size_t>(tri.size()), 1, [&tri](std::size_t tet) {
+    const int t = static_cast<int>(tet);
     std::string line = "[";
     for (int f = 0; f < 4; ++f) {
       const Gluing g = tri.gluing({t, f});

@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <ranges>
 #include <span>
 
 namespace tetrarch::format {
@@ -152,7 +151,7 @@ std::string field_text(const MeshField& field, const MeshDocument& mesh) {
   return object_text(field.members,
                      {{"name", dumped(Json(field.name), 0)},
                       {"on", dumped(Json(name_of(field.on)), 0)},
-                      {"values", array_text(std::views::iota(std::size_t{0}, rows), 3, row)}},
+                      {"values", array_text(rows, 3, row)}},
                      2);
 }
 
