@@ -53,7 +53,10 @@ std::vector<Complex> unfolded(const FoldedPart& part) {
                                                {above(wish * (e.wanted[1] - e.wanted[0]), 0),
                                                 above(wish * (e.wanted[2] - e.wanted[0]), 0), above(0, 1)}));
   }
-  const unfold::Unfolded done = unfold::unfold(problem, std::move(points));
+  unfold::Options budget;
+  budget.most_rounds = 40;
+  budget.iterations = 100;
+  const unfold::Unfolded done = unfold::unfold(problem, std::move(points), budget);
   std::vector<Complex> result;
   for (std::size_t v = 0; v < part.points.size(); ++v)
     result.push_back(part.freedom[v] ? Complex(done.points[v][0], done.points[v][1]) / scale

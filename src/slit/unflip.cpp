@@ -23,6 +23,8 @@ using surface::Surface;
 using Complex = std::complex<double>;
 
 constexpr int most_sweeps = 100;
+/// Triangles that are unfolded together: nobody can stop that.
+constexpr std::size_t most_unfolded = 2000;
 /// A triangle this much narrower than in space counts as flipped.
 constexpr double flat = 1e-3;
 
@@ -195,7 +197,7 @@ private:
   }
 
   /// Moves the vertices near some triangles all at once, by the foldover-free energy. Nothing where the part
-  /// goes around the cylinder, as it is no part of the plane then.
+  /// goes around the cylinder, as it is no part of the plane then, or is too large to be done in a second.
   void unfold_around(const std::vector<int>& triangles, int rings, const Freedom& freedom,
                      const std::function<void(int, Complex)>& take) const {
     const std::vector<int> moving = around(triangles, rings);
@@ -206,6 +208,7 @@ private:
         if (!skipped_[e.side.triangle()]) near.push_back(e.side.triangle());
     std::sort(near.begin(), near.end());
     near.erase(std::unique(near.begin(), near.end()), near.end());
+    if (near.size() > most_unfolded) return;
     for (const int t : near)
       for (const int v : surface_.corners(t)) at[v].push_back(t);
     const std::map<int, Complex> place = laid_out(near, at);
