@@ -22,7 +22,7 @@ std::string names_text(const std::vector<Element>& elements) {
 } // namespace
 
 Document document_of(Element element, const Ledger& passed_over) {
-  if (!element.error.empty()) throw InputError(element.error);
+  if (element.error) throw InputError(*element.error);
   element.document.passed_over.add(passed_over);
   return std::move(element.document);
 }

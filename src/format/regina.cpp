@@ -131,7 +131,7 @@ private:
         element.document.triangulation = triangulation(node);
       if (!element.name.empty()) element.document.name = element.name;
     } catch (const InputError& e) {
-      element.error = e.what();
+      element.error = e;
     }
     return element;
   }

@@ -59,7 +59,7 @@ Element element_on(std::string_view line, const Place& place) {
     element.name = clean_line(rest);
     element.document.name = element.name;
   } catch (const InputError& e) {
-    element.error = InputError(place, e.what()).what();
+    element.error = InputError(place, e.what());
   }
   return element;
 }

@@ -7,6 +7,7 @@
 #include "tetrarch/format/surface_files.hpp"
 #include "tetrarch/format/text.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <chrono>
@@ -15,6 +16,7 @@
 #include <fcntl.h>
 #include <filesystem>
 #include <spawn.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <system_error>
 #include <thread>
@@ -69,6 +71,7 @@ public:
     return true;
   }
   bool succeeded() const { return WIFEXITED(status_) && WEXITSTATUS(status_) == 0; }
+  bool used_up_its_time() const { return WIFSIGNALED(status_) && WTERMSIG(status_) == SIGXCPU; }
 
 private:
   pid_t pid_;
@@ -98,43 +101,60 @@ std::string last_line(const std::string& text) {
   return std::string(all.substr(all.rfind('\n') + 1)); // npos + 1 is 0
 }
 
-/// Runs `program` on `input`, its output going to `log`. Throws InputError about `source`.
-void run_tetgen(std::string program, std::string input, const std::string& log, const std::string& source,
+/// Runs the program on `input`, its output going to `log`. Throws InputError about `source`.
+void run_tetgen(Options options, std::string input, const std::string& log, const std::string& source,
                 const Progress& progress) {
-  std::string options = "-pYQ"; // a surface, which stays as it is; quietly
-  const std::array<char*, 4> arguments{program.data(), options.data(), input.data(), nullptr};
+  std::string flags = "-pYQ"; // a surface, which stays as it is; quietly
+  const std::array<char*, 4> arguments{options.program.data(), flags.data(), input.data(), nullptr};
   const FileActions actions(log);
+  const std::string name = "the program " + in_quotes(options.program);
   pid_t pid = 0;
-  const int error = ::posix_spawnp(&pid, program.c_str(), actions.get(), nullptr, arguments.data(), environ);
+  const int error =
+      ::posix_spawnp(&pid, options.program.c_str(), actions.get(), nullptr, arguments.data(), environ);
   if (error == ENOENT)
-    throw InputError(Place{source, 0}, "a surface is filled by the program " + in_quotes(program) +
+    throw InputError(Place{source, 0}, "a surface is filled by " + name +
                                            ", which is not installed (Debian package tetgen)");
   if (error != 0)
-    throw InputError(Place{source, 0}, "the program " + in_quotes(program) +
-                                           " cannot be run: " + std::generic_category().message(error));
+    throw InputError(Place{source, 0},
+                     name + " cannot be run: " + std::generic_category().message(error));
   Child child(pid);
+  const auto seconds = static_cast<rlim_t>(options.seconds);
+  const rlimit limit{seconds, seconds + 1};
+  ::prlimit(pid, RLIMIT_CPU, &limit, nullptr); // fails only if it has ended already
   constexpr std::chrono::milliseconds pause(5);
   while (!child.has_ended()) {
     progress.step("tetgen");
     std::this_thread::sleep_for(pause);
   }
+  if (child.used_up_its_time())
+    throw InputError(Place{source, 0}, name + " did not end within " + std::to_string(options.seconds) +
+                                           " s: the surface may meet itself");
   if (!child.succeeded())
-    throw InputError(Place{source, 0}, "the program " + in_quotes(program) + " failed on the surface: " +
+    throw InputError(Place{source, 0}, name + " failed on the surface, which may meet itself: " +
                                            in_quotes(last_line(format::read_file(log))));
 }
 
 } // namespace
 
-format::Soup fill(const format::Soup& surface, const Progress& progress, const std::string& program) {
+int budget(std::size_t triangles) {
+  constexpr std::size_t least = 30;
+  constexpr std::size_t triangles_a_second = 500;
+  constexpr std::size_t most = 86400;
+  return static_cast<int>(std::min(least + triangles / triangles_a_second, most));
+}
+
+format::Soup fill(const format::Soup& surface, const Progress& progress, const Options& options) {
   doctor::require_closed_surface(surface);
   const TemporaryDirectory directory;
   const std::string input = directory / "surface.off";
   format::write_file_atomically(input, format::write_off(surface));
-  run_tetgen(program, input, directory / "log", surface.source, progress);
+  Options used = options;
+  if (used.seconds == 0) used.seconds = budget(surface.triangles.size());
+  run_tetgen(used, input, directory / "log", surface.source, progress);
   std::error_code unreadable;
   if (!fs::exists(directory / "surface.1.ele", unreadable))
     throw InputError(Place{surface.source, 0},
-                     "the program " + in_quotes(program) + " gave no tetrahedra: " +
+                     "the program " + in_quotes(options.program) + " gave no tetrahedra: " +
                          in_quotes(last_line(format::read_file(directory / "log"))));
   format::Soup solid = format::read_soup_file(directory / "surface.1.ele");
   solid.source = surface.source;

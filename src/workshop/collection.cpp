@@ -50,7 +50,7 @@ void look_up(format::Element& element, const format::ListedLine& line, const std
                        near_names(word, identify::listed_names()));
     }
   } catch (const InputError& e) { // or a name of no one meaning: "L(6,2)"
-    element.error = InputError(Place{source, line.number}, e.what()).what();
+    element.error = InputError(Place{source, line.number}, e.what());
   }
 }
 
@@ -73,7 +73,7 @@ format::Collection collection_in(std::string_view text, const std::string& sourc
   format::Collection list = format::read_signatures(text, source);
   const std::vector<format::ListedLine> lines = format::listed_lines(text);
   for (std::size_t k = 0; k < list.elements.size(); ++k)
-    if (!list.elements[k].error.empty()) look_up(list.elements[k], lines[k], source);
+    if (list.elements[k].error) look_up(list.elements[k], lines[k], source);
   return list;
 }
 

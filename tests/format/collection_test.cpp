@@ -110,12 +110,13 @@ TEST_CASE("a list of signatures has an element for each line", "[collection]") {
 TEST_CASE("a line of a list that is wrong says so, and the others are read", "[bad][collection]") {
   const Collection list = read_all("cPcbbbiht\r\n\r\ncPcbb!ihq\r\nbkaaid bkaaid\r\ncPcbbbihq\r\n", "f.sig");
   REQUIRE(list.elements.size() == 4);
-  CHECK(list.elements[0].error.empty());
-  CHECK(list.elements[1].error ==
-        "f.sig:3: signature 'cPcbb!ihq' has '!' at position 6, which is no signature letter");
-  CHECK(list.elements[2].error == "f.sig:4: found 'bkaaid', expected one signature a line");
-  CHECK(list.elements[3].error.empty());
-  CHECK(error_of([&] { document_of(list.elements[1], {}); }) == list.elements[1].error);
+  CHECK_FALSE(list.elements[0].error);
+  CHECK(list.elements[1].error.value().what() ==
+        std::string("f.sig:3: signature 'cPcbb!ihq' has '!' at position 6, which is no signature letter"));
+  CHECK(list.elements[2].error.value().place.line == 4);
+  CHECK(list.elements[2].error.value().message == "found 'bkaaid', expected one signature a line");
+  CHECK_FALSE(list.elements[3].error);
+  CHECK(error_of([&] { document_of(list.elements[1], {}); }) == list.elements[1].error.value().what());
 }
 
 TEST_CASE("several census records are several elements", "[collection]") {

@@ -141,9 +141,10 @@ TEST_CASE("one bad triangulation does not spoil the others", "[regina]") {
   const Collection both =
       read_regina_packets(with(regina_figure_eight, "</container>", bad + "</container>"), "f");
   REQUIRE(both.elements.size() == 2);
-  CHECK(both.elements[0].error.empty());
+  CHECK_FALSE(both.elements[0].error);
   CHECK(both.elements[1].name == "bad");
-  CHECK(both.elements[1].error == "f:9: found '24', expected a permutation");
+  CHECK(both.elements[1].error.value().place.line == 9);
+  CHECK(both.elements[1].error.value().message == "found '24', expected a permutation");
 }
 
 TEST_CASE("SnapPea packets are read, of both generations", "[regina]") {
@@ -160,7 +161,7 @@ TEST_CASE("SnapPea packets are read, of both generations", "[regina]") {
            "</snappea></packet></reginadata>");
   for (const Collection& file : {third, second}) {
     REQUIRE(file.elements.size() == 1);
-    CHECK(file.elements[0].error.empty());
+    CHECK_FALSE(file.elements[0].error);
     CHECK(file.elements[0].document.name == "W");
     CHECK(file.elements[0].document.triangulation == read_snappea(text, "f").triangulation);
   }

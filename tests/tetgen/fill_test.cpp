@@ -77,26 +77,53 @@ TEST_CASE("surfaces that touch, or of several components, are refused", "[fill]"
 
 TEST_CASE("a missing program is named, with its package", "[fill]") {
   const format::Soup cube = soup_of(cube_points(), {}, cube_surface());
-  CHECK(error_of([&] { fill(cube, {}, "no-such-tetgen"); }) ==
+  CHECK(error_of([&] { fill(cube, {}, {"no-such-tetgen"}); }) ==
         "f: a surface is filled by the program 'no-such-tetgen', which is not installed (Debian package "
         "tetgen)");
-  CHECK(error_of([&] { fill(cube, {}, "false"); }) == "f: the program 'false' failed on the surface: ''");
-  CHECK(error_of([&] { fill(cube, {}, "true"); }) == "f: the program 'true' gave no tetrahedra: ''");
+  CHECK(error_of([&] { fill(cube, {}, {"false"}); }) == "f: the program 'false' failed on the surface, which may meet itself: ''");
+  CHECK(error_of([&] { fill(cube, {}, {"true"}); }) == "f: the program 'true' gave no tetrahedra: ''");
 }
 
+namespace {
+
+/// A program in the place of TetGen, while it lives.
+class Script {
+public:
+  explicit Script(const std::string& does)
+      : path_(std::filesystem::temp_directory_path() / ("tetrarch-mesh-" + std::to_string(::getpid()))) {
+    std::ofstream(path_) << "#!/bin/sh\n" << does << "\n";
+    std::filesystem::permissions(path_, std::filesystem::perms::owner_all);
+  }
+  Script(const Script&) = delete;
+  Script& operator=(const Script&) = delete;
+  ~Script() {
+    std::error_code ignored;
+    std::filesystem::remove(path_, ignored);
+  }
+  std::string name() const { return path_.string(); }
+
+private:
+  std::filesystem::path path_;
+};
+
+} // namespace
+
 TEST_CASE("stopping ends the filling, and the program with it", "[fill]") {
-  const std::filesystem::path script =
-      std::filesystem::temp_directory_path() / ("tetrarch-mesh-" + std::to_string(::getpid()));
-  std::ofstream(script) << "#!/bin/sh\nexec sleep 60\n";
-  std::filesystem::permissions(script, std::filesystem::perms::owner_all);
+  const Script script("exec sleep 60");
   std::stop_source stop;
   stop.request_stop();
   const format::Soup cube = soup_of(cube_points(), {}, cube_surface());
   const auto start = std::chrono::steady_clock::now();
-  CHECK_THROWS_AS(fill(cube, Progress({}, stop.get_token()), script.string()), Stopped);
+  CHECK_THROWS_AS(fill(cube, Progress({}, stop.get_token()), {script.name()}), Stopped);
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
   CHECK(seconds.count() < 30);
-  std::filesystem::remove(script);
+}
+
+TEST_CASE("a program that does not end by itself is ended", "[fill]") {
+  const Script script("while :; do :; done");
+  const format::Soup cube = soup_of(cube_points(), {}, cube_surface());
+  CHECK(error_of([&] { fill(cube, {}, {script.name(), 1}); }) ==
+        "f: the program '" + script.name() + "' did not end within 1 s: the surface may meet itself");
 }
 
 TEST_CASE("TetGen fills a cube, if it is installed", "[fill]") {

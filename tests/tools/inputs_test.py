@@ -170,7 +170,9 @@ class Elements(InFolder):
                          [(path + "#1", "cPcbbbiht"), (path + "#3", "cPcbbbihq")])
         self.assertEqual((lines[0]["name"], done.returncode, done.stderr.count("\n")), ("a", 2, 1))
         error = json.loads(done.stderr)["error"]
-        self.assertEqual((error["file"], error["code"]), (path + "#2", "bad_content"))
+        self.assertEqual((error["file"], error["line"], error["code"]), (path + "#2", 2, "bad_content"))
+        alone = json.loads(run("info", path + "#2", "--json").stderr)["error"]
+        self.assertEqual((alone["file"], alone["line"], alone["code"]), (path, 2, "bad_content"))
         self.assertIn("signature 'nonsense!'", error["message"])
         self.assertIn(path + "#2: " + path + ":2: signature 'nonsense!'", run("info", path + "#*").stderr)
         self.assertEqual(run("isometric", path + "#*", "cPcbbbihq").returncode, 2)

@@ -101,14 +101,18 @@ Status run_mapping(Mapping mapping, const std::vector<Command>& table, const std
     share.input = input;
     share.name = elements[k].name;
     Status status = Status::bad_input;
-    if (elements[k].error.empty()) {
+    if (!elements[k].error) {
       share.passed_over.add(elements[k].document.passed_over);
       named[input] = std::make_shared<Value>(std::move(elements[k].document));
       status = run_job(*parsed.job, &named, speaker, nullptr, &share).status;
       share.passed_over = {};
       named.erase(input);
     } else {
-      refuse(input, elements[k].error);
+      const InputError& error = *elements[k].error;
+      if (in_json)
+        complain_in_json({input, error.place.line}, error.message, Status::bad_input, code_of(error.cause));
+      else
+        refuse(input, error.what());
     }
     if (gravity(status) > gravity(gravest)) gravest = status;
   }

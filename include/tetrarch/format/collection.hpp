@@ -4,8 +4,10 @@
 /// A file that holds several triangulations: a Regina file of many packets, a list of signatures, of census
 /// records.
 
+#include "tetrarch/core/error.hpp"
 #include "tetrarch/format/document.hpp"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,7 +17,7 @@ namespace tetrarch::format {
 struct Element {
   std::string name; ///< the label of a packet, what stands after a signature; empty: none
   Document document;
-  std::string error; ///< the message of the InputError that says why there is no document; empty: there is
+  std::optional<InputError> error; ///< why there is no document
 };
 
 /// All triangulations in a file, in its order, and what else it holds.
