@@ -48,21 +48,24 @@ struct Cut {
   int lines = 0;
 };
 
-/// Ford and Fulkerson's way, with shortest augmenting paths.
-Cut smallest_cut(Graph room, int source) {
+/// Ford and Fulkerson's way, with shortest augmenting paths. Nothing if `steps` are used up before.
+std::optional<Cut> smallest_cut(Graph room, int source, long long& steps) {
   const int sink = source ^ 1;
   Cut cut;
   for (;;) {
     std::vector<int> from(room.size(), -1);
     std::vector<int> queue{source};
     from[static_cast<std::size_t>(source)] = source;
-    for (std::size_t head = 0; head < queue.size(); ++head)
+    for (std::size_t head = 0; head < queue.size(); ++head) {
+      steps -= static_cast<long long>(room.size());
+      if (steps < 0) return std::nullopt;
       for (int y = 0; y < static_cast<int>(room.size()); ++y)
         if (from[static_cast<std::size_t>(y)] < 0 &&
             room[static_cast<std::size_t>(queue[head])][static_cast<std::size_t>(y)] > 0) {
           from[static_cast<std::size_t>(y)] = queue[head];
           queue.push_back(y);
         }
+    }
     if (from[static_cast<std::size_t>(sink)] < 0) {
       for (const int f : from) cut.side.push_back(f >= 0);
       return cut;
@@ -179,17 +182,19 @@ Renamed substituted(const Renamed& before, const std::vector<Word>& word_of) {
   return now;
 }
 
-Renamed shortest(const Presentation& group, const Progress& progress) {
+Renamed shortest(const Presentation& group, const Progress& progress, long long most_steps) {
   Renamed now = unchanged(group);
   for (;;) {
-    progress.step("shortening relators");
     const Graph lines = whitehead_graph(now.presentation);
     std::optional<Cut> best;
     int at = -1;
     int gain = 0;
     for (int a = 0; a < 2 * group.generators; ++a) {
-      Cut cut = smallest_cut(lines, a);
-      const int less = degree(lines, a) - cut.lines;
+      progress.step("shortening relators");
+      most_steps -= static_cast<long long>(lines.size() * lines.size()); // for the copy
+      std::optional<Cut> cut = smallest_cut(lines, a, most_steps);
+      if (!cut) return now;
+      const int less = degree(lines, a) - cut->lines;
       if (less <= gain) continue;
       gain = less;
       at = a;

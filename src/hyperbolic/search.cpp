@@ -27,6 +27,11 @@ void require_searchable(const Triangulation& tri, const Skeleton& skeleton) {
 int attempts_between_restarts(int tets) {
   return std::clamp(500 / tets, 3, 25);
 }
+/// So many triangulations are tried before `has_none` is asked: nearly all that carry a structure somewhere are
+/// found by then, and what is asked takes as long as some of them.
+int attempts_before_asking(int tets) {
+  return std::clamp(2000 / tets, 2, 25);
+}
 /// Between the seeds of restarts.
 constexpr std::uint64_t restart_stride = 0x9e3779b97f4a7c15;
 
@@ -104,10 +109,16 @@ private:
     SplitMix64 random(options_.seed);
     const int between = attempts_between_restarts(simple.size());
     int next_restart = found_.attempts + between;
+    const int ask_after = attempts_before_asking(simple.size());
+    bool asked = false;
     // Walks that end where somebody has been cost little but must end too.
     const long long most_walks = 20LL * options_.attempts;
     for (long long walk = 0; walk < most_walks && found_.attempts < options_.attempts; ++walk) {
       progress_.step("searching for a structure", static_cast<double>(found_.attempts) / options_.attempts);
+      if (options_.has_none && !asked && found_.attempts >= ask_after) {
+        asked = true;
+        if (options_.has_none(found_.triangulation)) return;
+      }
       if (found_.attempts >= next_restart) {
         next_restart = found_.attempts + between;
         if (start_anew(simple, most_tets, base)) return;

@@ -133,12 +133,14 @@ Reason reason_of(const Proved& proved, const Presentation& from, const Renamed& 
 
 std::optional<Reason> reason_of_group(const Presentation& group, const Setting& setting,
                                       const ReasonOptions& options, const Progress& progress) {
-  const Renamed given = algebra::unchanged(group);
-  const Renamed short_one = shortest(group, progress);
   // First what costs next to nothing, in the presentations that people would write.
-  for (const Renamed* seen : {&given, &short_one})
-    if (const auto proved = first_proved(splittings(seen->presentation), seen->presentation, 0, 0, progress))
-      return reason_of(*proved, group, *seen);
+  const auto split = [&](const Renamed& seen) -> std::optional<Reason> {
+    const auto proved = first_proved(splittings(seen.presentation), seen.presentation, 0, 0, progress);
+    return proved ? std::optional(reason_of(*proved, group, seen)) : std::nullopt;
+  };
+  if (auto reason = split(algebra::unchanged(group))) return reason;
+  const Renamed short_one = shortest(group, progress);
+  if (auto reason = split(short_one)) return reason;
   const std::vector<Renamed> others = as_short(short_one, options.presentations, progress);
   for (const Renamed& seen : others)
     if (const auto proved = first_proved(splittings(seen.presentation), seen.presentation, 0, 0, progress))

@@ -43,12 +43,12 @@ Boundary boundary_of(const Triangulation& tri) {
   return found;
 }
 
-hyperbolic::Search search_for(const Triangulation& tri, const CanonicalOptions& options,
-                              const Progress& progress) {
+Searched search_for(const Triangulation& tri, const CanonicalOptions& options,
+                    const Progress& progress) {
   hyperbolic::SearchOptions search;
   search.seed = options.seed;
   search.attempts = options.attempts;
-  return find_structure(tri, search, progress);
+  return searched(tri, search, progress);
 }
 
 Cells cells_in(const hyperbolic::Search& found, const CanonicalOptions& how, const Progress& progress) {
@@ -283,10 +283,10 @@ Verdict Isometry::verdict() const {
 
 Cells cells(const Triangulation& tri, const CanonicalOptions& options, const Progress& progress) {
   const Boundary boundary = boundary_of(tri);
-  const hyperbolic::Search search = search_for(tri, options, progress);
-  Cells found = cells_in(search, options, progress);
+  const Searched way = search_for(tri, options, progress);
+  Cells found = cells_in(way.search, options, progress);
   if (found.outcome != Outcome::geometric)
-    found.why = proved_no(search.triangulation, options.seed, progress);
+    found.why = way.why ? way.why : proved_no(way.search.triangulation, options.seed, progress);
   found.filled_spheres = boundary.spheres;
   if (is_found(found)) name_isometries(found, options.list_isometries);
   return found;
@@ -340,9 +340,9 @@ Isometry isometry(const Compared& x, const Compared& y, const CanonicalOptions& 
     found.answer = *std::move(no);
     return found;
   }
-  const hyperbolic::Search search = search_for(x.tri, options, progress);
+  const hyperbolic::Search search = search_for(x.tri, options, progress).search;
   if (compare_triangulations(x.tri, y.tri, given_triangulations, found)) return found;
-  const hyperbolic::Search other = search_for(y.tri, options, progress);
+  const hyperbolic::Search other = search_for(y.tri, options, progress).search;
   const bool in_x = search.structure.outcome == Outcome::geometric;
   const bool in_y = other.structure.outcome == Outcome::geometric;
   std::optional<IsometryAnswer> no;

@@ -172,20 +172,20 @@ hyperbolic::Search solved_as_given(const Triangulation& tri) {
 }
 
 /// The search with Newton's method; then, if that is asked for, the flow on the triangulation that it found.
-hyperbolic::Search solve(const Triangulation& tri, const StructureOptions& options,
-                         const Progress& progress) {
+Searched solve(const Triangulation& tri, const StructureOptions& options, const Progress& progress) {
   hyperbolic::SearchOptions how;
   how.seed = options.seed;
   how.attempts = options.as_given ? 1 : options.attempts;
-  hyperbolic::Search found = options.as_given ? solved_as_given(tri) : find_structure(tri, how, progress);
-  if (!options.as_given && options.method == hyperbolic::Method::newton) return found;
+  Searched result = options.as_given ? Searched{solved_as_given(tri), {}} : searched(tri, how, progress);
+  if (!options.as_given && options.method == hyperbolic::Method::newton) return result;
+  hyperbolic::Search& found = result.search;
   hyperbolic::HyperbolizeOptions once;
   once.method = options.method;
   found.structure =
       hyperbolic::hyperbolize(found.triangulation, Skeleton(found.triangulation), once, progress);
   if (found.structure.outcome == Outcome::stopped) throw Stopped();
   if (options.as_given) ++found.seen[static_cast<std::size_t>(found.structure.outcome)];
-  return found;
+  return result;
 }
 
 /// From lengths of more bits, since balls lose some thirty while a cusp is unrolled; where there are none,
@@ -237,12 +237,32 @@ std::optional<reasons::Reason> proved_no(const Triangulation& tri, std::uint64_t
   return reasons::why_not_hyperbolic(tri, how, progress);
 }
 
+Searched searched(const Triangulation& tri, hyperbolic::SearchOptions options, const Progress& progress) {
+  Searched found;
+  options.has_none = [&](const Triangulation& simple) {
+    reasons::ReasonOptions quick;
+    quick.seed = options.seed;
+    quick.changes = 0;
+    quick.most_tetrahedra = 0;
+    found.why = reasons::why_not_hyperbolic(simple, quick, progress);
+    // A large triangulation of few edges has long relators, which simplify the better, the more of them there are.
+    constexpr int most_given = 10'000; // tetrahedra
+    if (!found.why && simple.size() < tri.size() && tri.size() <= most_given)
+      found.why = reasons::why_not_hyperbolic(tri, quick, progress);
+    return found.why.has_value();
+  };
+  found.search = find_structure(tri, options, progress);
+  return found;
+}
+
 namespace {
 
 Structure without_marks(const Triangulation& tri, const StructureOptions& options, const Progress& progress) {
-  hyperbolic::Search search = solve(tri, options, progress);
-  Skeleton skeleton(search.triangulation);
-  return {std::move(search), std::move(skeleton), {}, {}, {}, options.digits};
+  Searched found = solve(tri, options, progress);
+  Skeleton skeleton(found.search.triangulation);
+  Structure result{std::move(found.search), std::move(skeleton), {}, {}, {}, options.digits};
+  result.why = std::move(found.why);
+  return result;
 }
 
 /// By the ways to orbifolds, which serve closed manifolds too.
@@ -282,7 +302,7 @@ Structure structure(const Triangulation& tri, const StructureOptions& options, c
   Structure found = found_any_way(tri, options, progress);
   const bool certifies = options.certify || options.digits > 0;
   if (!is_geometric(found)) {
-    if (!options.as_given && options.marks.empty() && !is_turned_over(found))
+    if (!found.why && !options.as_given && options.marks.empty() && !is_turned_over(found))
       found.why = proved_no(found.search.triangulation, options.seed, progress);
     if (certifies) found.certified = verified::Certification{std::nullopt, "no structure was found"};
     return found;

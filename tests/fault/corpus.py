@@ -182,21 +182,22 @@ class Corpus:
             return f"no JSON: {said[:200]!r}"
         if "--json" in words:
             try:
-                if not finite(json.loads(said, parse_constant=no_constant)):
-                    return "JSON holds an infinite number"
+                for text in [said] if words[0] != "census" else said.splitlines():  # records, an object a line
+                    if not finite(json.loads(text, parse_constant=no_constant)):
+                        return "JSON holds an infinite number"
             except ValueError as wrong:
                 return f"bad JSON: {wrong}"
         if words[0] == "convert" and status == 0:
             for out in outputs:
-                again = [self.start(folder, (command, out)) for command in ("check", "info")]
-                if all(result not in (0, 1, 4) or REPORTS.search(why) for result, _, why in again):
-                    return f"what was written to {out} is refused: {again[0][2][:300]!r}"
+                again = self.start(folder, ("convert", out, "-o", out.replace("OUT", "again")))
+                if again[0] != 0 or REPORTS.search(again[2]):
+                    return f"what was written to {out} is refused: {again[2][:300]!r}"
         return None
 
     @staticmethod
     def may_write(words, left):
         """Hostile options may name any output, and what belongs to one begins with its name."""
-        stems = {os.path.splitext(word)[0] for word in words if word}
+        stems = {os.path.splitext(word)[0] for word in words if word} | ({"records"} if "--work" in words else set())
         return all(any(name.startswith(stem) for stem in stems) for name in left)
 
 

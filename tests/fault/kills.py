@@ -5,9 +5,10 @@
 Usage: kills.py PROGRAM SOURCE_DIR [--times N] [--seed N]
 
 By hand, for it takes long: N strikes (default 100) by each signal of each job, at moments spread evenly at random over the job's
-length. Prints a table, and every fault as a line; the exit status is 1 if there is any.
+length, and the example of each command's help page by TERM, a tenth as often. Prints a table, and every fault as a line; the exit status is 1 if there is any.
 """
 import argparse
+import json
 import os
 import random
 import signal
@@ -96,6 +97,33 @@ def strike(program, job, number, moment, good):
         return None, over, took
 
 
+def struck_examples(program, times, rng):
+    """Every command of the help pages, as its example has it, struck by one TERM at random moments: [fault]."""
+    told = json.loads(subprocess.run([program, "help", "--json"], capture_output=True, check=True).stdout)
+    faults, strikes, longest = [], 0, (0.0, "")
+    for command in told["commands"]:
+        words = [word.strip("'") for word in command["example"].split()[1:]]
+        with tempfile.TemporaryDirectory() as folder:
+            began = time.monotonic()
+            subprocess.run([program, *words], cwd=folder, stdin=subprocess.DEVNULL, capture_output=True, check=False)
+            length = time.monotonic() - began
+        for _ in range(times):
+            with tempfile.TemporaryDirectory() as folder:
+                # A prompt or a pipe waits for as long as nobody types.
+                job = subprocess.Popen([program, *words], cwd=folder, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+                time.sleep(rng.uniform(0, length))
+                began = time.monotonic()
+                job.terminate()
+                job.communicate()
+                took = time.monotonic() - began
+                strikes, longest = strikes + 1, max(longest, (took, command["name"]))
+                left = [name for name in os.listdir(folder) if name.endswith(".part")]
+                if took > 2 or left or job.returncode not in (130, 0, 1, 4, -signal.SIGTERM):
+                    faults.append(f"{command['name']}: status {job.returncode} after {took:.2f} s, left over: {left}")
+    print(f"examples of {len(told['commands'])} commands, {strikes} strikes by TERM: the longest end {longest[0]:.2f} s ({longest[1]})")
+    return faults
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n", maxsplit=1)[0])
     parser.add_argument("program")
@@ -105,6 +133,10 @@ def main():
     options = parser.parse_args()
     program, rng = os.path.abspath(options.program), random.Random(options.seed)
     faults = 0
+    wrong = struck_examples(program, max(1, options.times // 10), rng)
+    faults += len(wrong)
+    for fault in wrong:
+        print(f"  {fault}", flush=True)
     print(f"{'job':10} {'length s':>8} {'strikes':>8} {'in time':>8} {'longest end s':>14} {'faults':>7}")
     for name, job in jobs(os.path.abspath(options.source)).items():
         good, length = whole(program, job)

@@ -21,6 +21,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 
 namespace tetrarch::hyperbolic {
 
@@ -33,6 +34,9 @@ struct SearchOptions {
   int attempts = 1000;
   /// Triangulations may grow by so many tetrahedra above the simplified one.
   int most_extra_tets = 8;
+  /// Asked once, with the simplified triangulation, when 25 triangulations carried no structure, or fewer large
+  /// ones: whether it is known that there is none. Then the search ends.
+  std::function<bool(const Triangulation&)> has_none;
 };
 
 struct Search {

@@ -67,6 +67,17 @@ Structure structure(const Triangulation& tri, const StructureOptions& options = 
 std::optional<reasons::Reason> proved_no(const Triangulation& tri, std::uint64_t seed,
                                          const Progress& progress = {});
 
+/// A structure, or a reason against one that was met on the way.
+struct Searched {
+  hyperbolic::Search search;
+  std::optional<reasons::Reason> why;
+};
+
+/// The search, which ends early where the group of the simplified triangulation tells that there can be no
+/// structure: it is asked when a few triangulations carried none, for most of the time of a search in vain
+/// goes by after that. Throws as `hyperbolic::find_structure`.
+Searched searched(const Triangulation& tri, hyperbolic::SearchOptions options, const Progress& progress = {});
+
 /// What is printed of it: the outcome; the volume, edges, cusps and angles, or the reason.
 Rows rows_of(const Structure& found);
 

@@ -93,8 +93,8 @@ py::list collection(const std::string& path, const py::object& report) {
   py::list list;
   for (format::Element& element : read.elements)
     list.append(py::make_tuple(
-        element.name, element.error.empty() ? py::cast(content_of(std::move(element.document))) : py::none(),
-        element.error));
+        element.name, element.error ? py::none() : py::cast(content_of(std::move(element.document))),
+        element.error ? element.error->what() : ""));
   return list;
 }
 
