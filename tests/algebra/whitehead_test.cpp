@@ -68,3 +68,22 @@ TEST_CASE("Images tell the automorphism") {
           letters(found.presentation));
   }
 }
+
+TEST_CASE("A spent budget leaves what is short so far") {
+  SplitMix64 random(13);
+  const Renamed long_one = scrambled({4, {{1}, {2}}}, 40, random);
+  const Presentation& given = long_one.presentation;
+  CHECK(letters(shortest(given, {}, 0).presentation) == letters(given));
+  std::size_t before = letters(given);
+  bool between = false;
+  for (long long steps = 100; before > 2; steps *= 2) {
+    const Renamed found = shortest(given, {}, steps);
+    const std::size_t now = letters(found.presentation);
+    CHECK(now <= before);
+    CHECK(letters(substituted(unchanged(given), found.image).presentation) == now);
+    between = between || (now < letters(given) && now > 2);
+    before = now;
+    REQUIRE(steps < 1'000'000'000);
+  }
+  CHECK(between);
+}

@@ -115,6 +115,15 @@ def no_constant(name):
     raise ValueError(f"{name} in JSON")
 
 
+def objects(text):
+    """The JSON objects of a text, one after the other: a census prints many."""
+    decoder, at = json.JSONDecoder(parse_constant=no_constant), 0
+    while at < len(text):
+        value, at = decoder.raw_decode(text, at)
+        yield value
+        at += len(text[at:]) - len(text[at:].lstrip())
+
+
 class Corpus:
     def __init__(self, program, source):
         self.program, self.source = program, source
@@ -182,9 +191,8 @@ class Corpus:
             return f"no JSON: {said[:200]!r}"
         if "--json" in words:
             try:
-                for text in [said] if words[0] != "census" else said.splitlines():  # records, an object a line
-                    if not finite(json.loads(text, parse_constant=no_constant)):
-                        return "JSON holds an infinite number"
+                if not all(map(finite, objects(said.decode()))):
+                    return "JSON holds an infinite number"
             except ValueError as wrong:
                 return f"bad JSON: {wrong}"
         if words[0] == "convert" and status == 0:

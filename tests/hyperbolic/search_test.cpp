@@ -81,6 +81,30 @@ TEST_CASE("a search that finds nothing says what it saw", "[hyperbolic]") {
   CHECK_THROWS_AS(find_structure(Triangulation(2)), PreconditionError);
 }
 
+TEST_CASE("a search ends where it is known that there is nothing to find", "[hyperbolic]") {
+  SearchOptions options;
+  int asked = 0;
+  int size = 0;
+  bool answer = true;
+  options.has_none = [&](const Triangulation& simple) {
+    ++asked;
+    size = simple.size();
+    return answer;
+  };
+  const Triangulation trefoil = zoo("trefoil complement").triangulation();
+  const Search ended = find_structure(trefoil, options);
+  CHECK(asked == 1);
+  CHECK(size == 2); // the trefoil's complement, of two ideal tetrahedra
+  CHECK(ended.attempts == 25);
+  answer = false;
+  options.attempts = 60;
+  CHECK(find_structure(trefoil, options).attempts == 60);
+  CHECK(asked == 2);
+  CHECK(find_structure(zoo("figure-eight complement m004").triangulation(), options).structure.outcome ==
+        Outcome::geometric);
+  CHECK(asked == 2);
+}
+
 TEST_CASE("a search is the same for the same seed", "[hyperbolic]") {
   const Triangulation tri = triangulation_of(exterior(named_link("5_2").grid));
   const Search a = find_structure(tri);
