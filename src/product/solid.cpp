@@ -5,11 +5,33 @@
 #include "tetrarch/numeric/predicates.hpp"
 #include "tetrarch/numeric/vector.hpp"
 
+#include <algorithm>
+#include <cstddef>
+#include <iomanip>
+#include <sstream>
 #include <string>
 #include <utility>
 
 namespace tetrarch::product {
 namespace {
+
+/// Squares of volumes have to fit into a double.
+void require_size(const solid::TetMesh& mesh) {
+  constexpr double least = 1e-50;
+  constexpr double greatest = 1e50;
+  double size = 0; // along the axis of the greatest extent
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const auto [low, high] = std::minmax_element(
+        mesh.points.begin(), mesh.points.end(),
+        [axis](const auto& p, const auto& q) { return p[axis] < q[axis]; });
+    if (low != mesh.points.end()) size = std::max(size, (*high)[axis] - (*low)[axis]);
+  }
+  if (mesh.points.empty() || (size > least && size < greatest)) return;
+  std::ostringstream text;
+  text << "the solid is " << std::setprecision(3) << size
+       << " across; sizes between 1e-50 and 1e50 can be computed with: choose another unit";
+  throw InputError(text.str());
+}
 
 void require_volumes(const solid::TetMesh& mesh) {
   for (std::size_t t = 0; t < mesh.tetrahedra.size(); ++t) {
@@ -52,6 +74,7 @@ void add_boundary(Solid& solid) {
 } // namespace
 
 Solid solid_of(solid::TetMesh mesh) {
+  require_size(mesh);
   require_volumes(mesh);
   Solid result;
   result.gluings = solid::triangulation_of(mesh);

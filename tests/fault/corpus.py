@@ -55,6 +55,7 @@ ON_SOLIDS = (
     ("info", "X", "--json"), ("truncate", "X", "-o", "OUT.json", "--json"), ("convert", "X", "-o", "OUT.vtk"),
     ("hyperbolize", "X", "--attempts", "1", "--json"), ("view", "X", "-o", "OUT.html"),
 )
+MENDING = ("slit", "bundle", "hex", "product", "truncate", "register")
 ON_MESHES = ON_SURFACES + ON_SOLIDS
 MESHES = (".off", ".obj", ".ply", ".stl", ".vtk", ".vtu", ".msh", ".mesh", ".node", ".ele")
 ON_TRIANGULATIONS = tuple(words for words in ON_FILES if words[0] not in ("slit", "hex", "product", "diagram", "check", "verify"))
@@ -72,7 +73,11 @@ def of_file(found, number):
 
 def of_shape(_, number):
     name, text, is_surface = mutants.shape_gone_bad(number)
-    return name, text.encode(), random.Random(f"command for shape {number}").choice(ON_SURFACES if is_surface else ON_SOLIDS)
+    rng = random.Random(f"command for shape {number}")
+    words = rng.choice(ON_SURFACES if is_surface else ON_SOLIDS)
+    if rng.random() < 0.5 and words[0] in MENDING and "--repair" not in words:  # what is mended goes further
+        words += ("--repair",)
+    return name, text.encode(), words
 
 
 def value_for(rng, option):
