@@ -72,6 +72,32 @@ std::string_view first_mesh_word(std::string_view text) {
   return in.peek();
 }
 
+/// A mesh or a shape of a kind that is not read here, by how its text begins; nothing: of no kind that is
+/// known.
+std::optional<std::string_view> kind_that_is_not_read(std::string_view text) {
+  struct Kind {
+    std::string_view beginning;
+    std::string_view name;
+  };
+  constexpr std::array kinds{Kind{"(0 ", "a Fluent mesh"},
+                             Kind{"(2 ", "a Fluent mesh"},
+                             Kind{"*HEADING", "an Abaqus input file"},
+                             Kind{"*NODE", "an Abaqus input file"},
+                             Kind{"*KEYWORD", "an LS-DYNA keyword file"},
+                             Kind{"BEGIN BULK", "a Nastran bulk data file"},
+                             Kind{"CEND", "a Nastran bulk data file"},
+                             Kind{"GRID", "a Nastran bulk data file"},
+                             Kind{"ISO-10303-21", "a STEP file"},
+                             Kind{"\x89HDF", "an HDF5 file, such as Exodus, CGNS or MED"},
+                             Kind{"CDF", "a netCDF file, such as Exodus"},
+                             Kind{"glTF", "a binary glTF file"}};
+  const std::size_t start = text.find_first_not_of(" \t\r\n");
+  const std::string head = capitals(text.substr(std::min(start, text.size()), 16));
+  for (const Kind& kind : kinds)
+    if (head.starts_with(capitals(kind.beginning))) return kind.name;
+  return std::nullopt;
+}
+
 /// The paths of both files, whichever is given.
 struct TetgenPaths {
   std::string node;
@@ -111,12 +137,18 @@ std::optional<MeshFormat> recognise_mesh(std::string_view text, const std::strin
   // Not by the extension, which is that of triangulations too.
   if (!word.empty() && word.front() == '{')
     return looks_like_mesh_json(text) ? std::optional(MeshFormat::json) : std::nullopt;
+  if (kind_that_is_not_read(text)) return std::nullopt;
   return mesh_format_for_extension(source);
 }
 
 static Soup soup_in(std::string_view text, const std::string& source) {
   const std::optional<MeshFormat> format = recognise_mesh(text, source);
-  if (!format) throw InputError(Place{source, 1}, found_expected(first_mesh_word(text), any_mesh));
+  if (!format) {
+    if (const auto kind = kind_that_is_not_read(text))
+      throw InputError(Place{source, 1}, "this is " + std::string(*kind) + ", which is not read; expected " +
+                                             std::string(any_mesh));
+    throw InputError(Place{source, 1}, found_expected(first_mesh_word(text), any_mesh));
+  }
   text = without_byte_order_mark(text);
   switch (*format) {
   case MeshFormat::medit:

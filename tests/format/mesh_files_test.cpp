@@ -263,3 +263,21 @@ TEST_CASE("meshes are known by their content, then by their extension", "[mesh]"
         "Tetrarch JSON");
   CHECK(error_of([] { write_soup(two_tetrahedra(), MeshFormat::tetgen); }).find(".ele") != std::string::npos);
 }
+
+TEST_CASE("meshes of kinds that are not read are called by their names", "[bad][mesh]") {
+  const auto complaint = [](const std::string& text, const std::string& name) {
+    return error_of([&] { read_soup(text, name); });
+  };
+  // As Gambit, Abaqus, Nastran's manual, CAD programs, HDF5 and netCDF begin their files.
+  CHECK(complaint("(0 \"GAMBIT to Fluent File\")\n(2 3)\n", "f.msh")
+            .starts_with("f.msh:1: this is a Fluent mesh, which is not read"));
+  CHECK(complaint("*Heading\n** made by hand\n*Node\n1, 0., 0., 0.\n", "f.inp")
+            .starts_with("f.inp:1: this is an Abaqus input file"));
+  CHECK(complaint("BEGIN BULK\nGRID,1,,0.,0.,0.\n", "f.bdf")
+            .starts_with("f.bdf:1: this is a Nastran bulk data file"));
+  CHECK(complaint("ISO-10303-21;\nHEADER;\n", "f.stp").starts_with("f.stp:1: this is a STEP file"));
+  CHECK(complaint("\x89HDF\r\n\x1a\n", "f.med").starts_with("f.med:1: this is an HDF5 file, such as Exodus"));
+  CHECK(complaint(std::string("CDF\x01\0\0\0\0", 8), "f.exo").starts_with("f.exo:1: this is a netCDF file"));
+  // Gmsh's own files that are not right are still told as such.
+  CHECK(complaint("$Nodes\n", "f.msh").find("which is not read") == std::string::npos);
+}
