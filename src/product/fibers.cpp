@@ -198,7 +198,14 @@ public:
         fiber.end = FiberEnd::stuck;
         break;
       }
+      const Location before = at_;
       fiber.length += std::sqrt(motion.squared_speed) * go(motion);
+      // Speeds in slivers may be more than doubles hold.
+      if (!std::isfinite(at_.weight[0] + at_.weight[1] + at_.weight[2] + at_.weight[3])) {
+        at_ = before;
+        fiber.end = FiberEnd::stuck;
+        break;
+      }
       if (path) path->push_back(point_at(solid_, at_));
     }
     fiber.at = at_;

@@ -65,6 +65,16 @@ TEST_CASE("the smallest and the largest numbers do not mislead", "[sign]") {
   CHECK(volume_sign({0, 0, 1e6}, {1e6, 0, 1e6}, {0, 1e6, 1e6}, {3e5, 3e5, 1e6}) == Sign::zero);
 }
 
+TEST_CASE("what is no number has no sign", "[sign]") {
+  const Point o{0, 0, 0};
+  const Point x{1, 0, 0};
+  const Point y{0, 1, 0};
+  for (const double bad : {std::nan(""), HUGE_VAL, -HUGE_VAL}) {
+    CHECK(volume_sign(o, x, y, {0, 0, bad}) == Sign::undecided);
+    CHECK(volume_sign({bad, 0, 0}, x, y, {0, 0, 1}) == Sign::undecided);
+  }
+}
+
 TEST_CASE("a sign is believed beyond its error only", "[sign]") {
   CHECK(sign_beyond(2, 1) == Sign::positive);
   CHECK(sign_beyond(-2, 1) == Sign::negative);

@@ -260,3 +260,27 @@ TEST_CASE("hexahedra are improved inside and measured", "[workshop]") {
   CHECK(found.volume_error() == Approx(1. / 8).epsilon(0.05));
   CHECK(tree_of(found)["filling"]["verdict"].text() == "undecided");
 }
+
+TEST_CASE("a box as thin as a sheet has a map of numbers, or says what is missing", "[workshop]") {
+  for (const double thin : {1e-4, 1e-8, 1e-12}) {
+    INFO(thin);
+    const support::Extrusion box = support::box({2, 4, 8 * thin}, {2, 4, 8}, 0);
+    ProductOptions options = between_ends(box);
+    options.across = 2;
+    const SolidProduct found = solid_product(product::solid_of(box.mesh), options);
+    REQUIRE(found.fibered);
+    if (!found.fibered->coordinates) {
+      CHECK(found.verdict() != Verdict::yes);
+      continue;
+    }
+    const FiberedSolid::Coordinates& coordinates = *found.fibered->coordinates;
+    for (const product::Point& p : coordinates.of.uvw)
+      for (const double x : p) REQUIRE(std::isfinite(x));
+    CHECK(std::isfinite(coordinates.confirmation.mean_distance));
+    if (found.hexahedra)
+      for (const product::Point& p : found.hexahedra->of.mesh.points)
+        for (const double x : p) REQUIRE(std::isfinite(x));
+    const bool good = coordinates.of.stuck.empty() && coordinates.quality.flipped.empty();
+    CHECK((found.verdict() != Verdict::yes || good));
+  }
+}
