@@ -20,9 +20,9 @@ namespace fs = std::filesystem;
 using detail::Connection;
 using detail::Statement;
 
-/// "TETR": what SQLite keeps of whose file it is; the second number is the version of the tables.
-constexpr const char* database_heading = "PRAGMA application_id = 1413829714; PRAGMA user_version = 2;";
+/// What SQLite keeps of whose file it is, "TETR", and the version of the tables in it.
 constexpr int application = 1413829714;
+constexpr int version = 2;
 
 constexpr const char* columns =
     "name, tetrahedra, signature, volume, boundary, cusps, edges, homology, cells, "
@@ -157,7 +157,7 @@ Connection open_ours(const std::string& path) {
   };
   if (number("PRAGMA application_id") != application)
     throw InputError({path, 0}, "this is no file of census tables");
-  if (number("PRAGMA user_version") != 2)
+  if (number("PRAGMA user_version") != version)
     throw InputError({path, 0}, "this file of census tables is of another version");
   return connection;
 }
@@ -249,7 +249,9 @@ std::vector<TableKey> Database::tables() const {
 std::string database_of(const std::vector<Manifold>& manifolds) {
   const Connection connection;
   connection.run("PRAGMA page_size = 4096;");
-  connection.run(database_heading);
+  const std::string heading = "PRAGMA application_id = " + std::to_string(application) +
+                              "; PRAGMA user_version = " + std::to_string(version) + ";";
+  connection.run(heading.c_str());
   connection.run("BEGIN");
   connection.run(schema);
   Statement row(connection, std::string("INSERT INTO manifold (") + columns +

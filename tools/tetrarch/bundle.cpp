@@ -136,15 +136,17 @@ void add_obstruction(Result& result, const workshop::SurfaceBundle& found, const
 /// pictures show every tetrahedron, else the surfaces of the solid tori, which take less than the work
 /// before.
 double file_bytes_a_tetrahedron(const std::vector<std::string>& outputs, bool is_disk) {
-  constexpr std::array<std::pair<const char*, double>, 3> texts{
-      {{".json", 200}, {".tri", 420}, {".fmp", 100}}};
-  constexpr std::array<std::pair<const char*, double>, 3> pictures{
-      {{".glb", 85}, {".ply", 76}, {".obj", 490}}};
+  struct Kind {
+    const char* extension;
+    double bytes; ///< a tetrahedron
+    bool is_picture;
+  };
+  constexpr std::array kinds{Kind{".json", 200, false}, Kind{".tri", 420, false}, Kind{".fmp", 100, false},
+                             Kind{".glb", 85, true},    Kind{".ply", 76, true},   Kind{".obj", 490, true}};
   double bytes = 0;
   for (const std::string& path : outputs)
-    for (const auto& list : {texts, pictures})
-      for (const auto& [extension, of_one] : list)
-        if (format::has_extension(path, extension)) bytes += list == texts || is_disk ? of_one : 0;
+    for (const Kind& kind : kinds)
+      if (format::has_extension(path, kind.extension) && (is_disk || !kind.is_picture)) bytes += kind.bytes;
   return bytes;
 }
 
