@@ -27,8 +27,8 @@ void require_searchable(const Triangulation& tri, const Skeleton& skeleton) {
 int attempts_between_restarts(int tets) {
   return std::clamp(500 / tets, 3, 25);
 }
-/// So many triangulations are tried before `has_none` is asked: nearly all that carry a structure somewhere are
-/// found by then, and what is asked takes as long as some of them.
+/// So many triangulations are tried before `has_none` is asked: nearly all that carry a structure somewhere
+/// are found by then, and what is asked takes as long as some of them.
 int attempts_before_asking(int tets) {
   return std::clamp(2000 / tets, 2, 25);
 }

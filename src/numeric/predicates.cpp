@@ -56,7 +56,8 @@ Sign volume_sign(const Point& a, const Point& b, const Point& c, const Point& d)
   const double least = least_determinant + relative_error * permanent(x, y, z);
   const bool in_range = std::max({largest(x), largest(y), largest(z)}) < longest_difference;
   if (const Sign sign = sign_beyond(det, least); in_range && sign != Sign::undecided) return sign;
-  // GMP ends the program where a number is none. Differences of finite numbers may be infinite, sums of no numbers are none.
+  // GMP ends the program where a number is none. Differences of finite numbers may be infinite, sums of no
+  // numbers are none.
   for (const Point& p : {a, b, c, d})
     if (!std::isfinite(p[0] * 0 + p[1] * 0 + p[2] * 0)) return Sign::undecided;
   const Rational exact =

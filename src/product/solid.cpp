@@ -21,9 +21,9 @@ void require_size(const solid::TetMesh& mesh) {
   constexpr double greatest = 1e50;
   double size = 0; // along the axis of the greatest extent
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    const auto [low, high] = std::minmax_element(
-        mesh.points.begin(), mesh.points.end(),
-        [axis](const auto& p, const auto& q) { return p[axis] < q[axis]; });
+    const auto [low, high] =
+        std::minmax_element(mesh.points.begin(), mesh.points.end(),
+                            [axis](const auto& p, const auto& q) { return p[axis] < q[axis]; });
     if (low != mesh.points.end()) size = std::max(size, (*high)[axis] - (*low)[axis]);
   }
   if (mesh.points.empty() || (size > least && size < greatest)) return;

@@ -112,11 +112,10 @@ void run_tetgen(Options options, std::string input, const std::string& log, cons
   const int error =
       ::posix_spawnp(&pid, options.program.c_str(), actions.get(), nullptr, arguments.data(), environ);
   if (error == ENOENT)
-    throw InputError(Place{source, 0}, "a surface is filled by " + name +
-                                           ", which is not installed (Debian package tetgen)");
-  if (error != 0)
     throw InputError(Place{source, 0},
-                     name + " cannot be run: " + std::generic_category().message(error));
+                     "a surface is filled by " + name + ", which is not installed (Debian package tetgen)");
+  if (error != 0)
+    throw InputError(Place{source, 0}, name + " cannot be run: " + std::generic_category().message(error));
   Child child(pid);
   const auto seconds = static_cast<rlim_t>(options.seconds);
   const rlimit limit{seconds, seconds + 1};

@@ -43,8 +43,7 @@ Boundary boundary_of(const Triangulation& tri) {
   return found;
 }
 
-Searched search_for(const Triangulation& tri, const CanonicalOptions& options,
-                    const Progress& progress) {
+Searched search_for(const Triangulation& tri, const CanonicalOptions& options, const Progress& progress) {
   hyperbolic::SearchOptions search;
   search.seed = options.seed;
   search.attempts = options.attempts;

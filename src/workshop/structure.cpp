@@ -245,7 +245,8 @@ Searched searched(const Triangulation& tri, hyperbolic::SearchOptions options, c
     quick.changes = 0;
     quick.most_tetrahedra = 0;
     found.why = reasons::why_not_hyperbolic(simple, quick, progress);
-    // A large triangulation of few edges has long relators, which simplify the better, the more of them there are.
+    // A large triangulation of few edges has long relators, which simplify the better, the more of them there
+    // are.
     constexpr int most_given = 10'000; // tetrahedra
     if (!found.why && simple.size() < tri.size() && tri.size() <= most_given)
       found.why = reasons::why_not_hyperbolic(tri, quick, progress);

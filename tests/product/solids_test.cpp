@@ -92,7 +92,8 @@ TEST_CASE("the solids of the tests have the size that they say", "[product]") {
   check(radial_pipe(0.4, 8), -1, 2 * pi * (1 - 0.16));
 }
 
-TEST_CASE("a solid of any usual size is taken, and a size that doubles cannot compute with is refused", "[product]") {
+TEST_CASE("a solid of any usual size is taken, and a size that doubles cannot compute with is refused",
+          "[product]") {
   const auto scaled = [](double factor) {
     solid::TetMesh mesh = box({2, 1, 3}, {3, 2, 4}).mesh;
     for (auto& p : mesh.points)
@@ -102,5 +103,6 @@ TEST_CASE("a solid of any usual size is taken, and a size that doubles cannot co
   for (const double factor : {1e-49, 1e-3, 1.0, 1e9, 1e49})
     CHECK(product::volume(product::solid_of(scaled(factor))) == Approx(6 * factor * factor * factor));
   for (const double factor : {1e-60, 1e60, 1e-300, 1e300})
-    CHECK_THROWS_WITH(product::solid_of(scaled(factor)), Catch::Contains(" across; sizes between 1e-50 and 1e50"));
+    CHECK_THROWS_WITH(product::solid_of(scaled(factor)),
+                      Catch::Contains(" across; sizes between 1e-50 and 1e50"));
 }

@@ -80,7 +80,8 @@ TEST_CASE("a missing program is named, with its package", "[fill]") {
   CHECK(error_of([&] { fill(cube, {}, {"no-such-tetgen"}); }) ==
         "f: a surface is filled by the program 'no-such-tetgen', which is not installed (Debian package "
         "tetgen)");
-  CHECK(error_of([&] { fill(cube, {}, {"false"}); }) == "f: the program 'false' failed on the surface, which may meet itself: ''");
+  CHECK(error_of([&] { fill(cube, {}, {"false"}); }) ==
+        "f: the program 'false' failed on the surface, which may meet itself: ''");
   CHECK(error_of([&] { fill(cube, {}, {"true"}); }) == "f: the program 'true' gave no tetrahedra: ''");
 }
 
@@ -122,8 +123,9 @@ TEST_CASE("stopping ends the filling, and the program with it", "[fill]") {
 TEST_CASE("a program that does not end by itself is ended", "[fill]") {
   const Script script("while :; do :; done");
   const format::Soup cube = soup_of(cube_points(), {}, cube_surface());
-  CHECK(error_of([&] { fill(cube, {}, {script.name(), 1}); }) ==
-        "f: the program '" + script.name() + "' did not end within 1 s: the surface may meet itself");
+  CHECK(error_of([&] {
+          fill(cube, {}, {script.name(), 1});
+        }) == "f: the program '" + script.name() + "' did not end within 1 s: the surface may meet itself");
 }
 
 TEST_CASE("TetGen fills a cube, if it is installed", "[fill]") {

@@ -12,8 +12,8 @@ using namespace tetrarch;
 using namespace tetrarch::workshop;
 
 TEST_CASE("reasons that the group gives at once end the search", "[workshop]") {
-  // Handlebody-knots that Ishii, Kishimoto, Moriuchi and Suzuki (2012) list and that are not hyperbolic: Koda, Ozawa and
-  // Gordon's annuli. Their groups split.
+  // Handlebody-knots that Ishii, Kishimoto, Moriuchi and Suzuki (2012) list and that are not hyperbolic:
+  // Koda, Ozawa and Gordon's annuli. Their groups split.
   constexpr int soon = 60; // of 1,000 triangulations
   for (const std::string name : {"hk4_1", "hk5_1", "hk5_2", "hk6_1", "hk6_4", "hk6_10"}) {
     INFO(name);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// A command line, a word a line: it is a job, a text such as a help page, or one line of error. Nothing is run.
+// A command line, a word a line: it is a job, a text such as a help page, or one line of error. Nothing is
+// run.
 #include "../tetrarch/command.hpp"
 #include "../tetrarch/parse.hpp"
 #include "fuzz.hpp"
@@ -18,10 +19,12 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     at = end + 1;
   }
   try {
-    const program::Parsed parsed = program::parse(words, program::commands(), "tetrarch", program::usual_options());
+    const program::Parsed parsed =
+        program::parse(words, program::commands(), "tetrarch", program::usual_options());
     fuzz::require(parsed.job.has_value() != !parsed.text.empty(), "a job or a text");
   } catch (const InputError& error) {
-    fuzz::require(std::string_view(error.what()).find('\n') == std::string_view::npos, "an error is one line", error.what());
+    fuzz::require(std::string_view(error.what()).find('\n') == std::string_view::npos, "an error is one line",
+                  error.what());
   }
   return 0;
 }

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Whole commands on surfaces: bytes bend, tear and glue a small ring, torus or disk with holes, which is then checked, mended,
-// mapped and made the base of a circle bundle. Whatever the surface, there is a result of numbers, a reason why there is none, or
-// one line of error; triangles said to be turned over are those that are.
+// Whole commands on surfaces: bytes bend, tear and glue a small ring, torus or disk with holes, which is then
+// checked, mended, mapped and made the base of a circle bundle. Whatever the surface, there is a result of
+// numbers, a reason why there is none, or one line of error; triangles said to be turned over are those that
+// are.
 #include "fuzz.hpp"
 #include "tetrarch/doctor/repair.hpp"
 #include "tetrarch/doctor/validate_surface.hpp"
@@ -49,7 +50,8 @@ format::Soup base(int kind) {
       const double t = 2 * std::numbers::pi * j / columns;
       const double s = 2 * std::numbers::pi * i / rows;
       if (kind == 1)
-        soup.points.push_back({(3 + std::cos(s)) * std::cos(t), (3 + std::cos(s)) * std::sin(t), std::sin(s)});
+        soup.points.push_back(
+            {(3 + std::cos(s)) * std::cos(t), (3 + std::cos(s)) * std::sin(t), std::sin(s)});
       else if (around)
         soup.points.push_back({(1 + i) * std::cos(t), (1 + i) * std::sin(t), 0});
       else
@@ -83,7 +85,8 @@ void change(format::Soup& soup, Bytes& bytes) {
     point[static_cast<std::size_t>(amount % 3)] = std::ldexp(1.0, (bytes.next() - 128) * 4);
     break;
   case 3: // everything in another unit, or flattened
-    for (std::array<double, 3>& p : soup.points) p[static_cast<std::size_t>(amount % 3)] *= std::ldexp(1.0, bytes.next() - 128);
+    for (std::array<double, 3>& p : soup.points)
+      p[static_cast<std::size_t>(amount % 3)] *= std::ldexp(1.0, bytes.next() - 128);
     break;
   case 4: // glued to another vertex
     triangle[static_cast<std::size_t>(amount % 3)] = bytes.below(soup.points.size());
@@ -105,12 +108,15 @@ void require_numbers(const workshop::ConformalMap& found) {
   fuzz::require(std::isfinite(found.distortion.mean_angle_error), "distortions are numbers");
   std::size_t turned = 0;
   for (const std::array<int, 3>& corners : found.layout.corners) {
-    const auto at = [&](int k) { return found.layout.places[static_cast<std::size_t>(corners[static_cast<std::size_t>(k)])]; };
+    const auto at = [&](int k) {
+      return found.layout.places[static_cast<std::size_t>(corners[static_cast<std::size_t>(k)])];
+    };
     const auto [a, b, c] = std::array{at(0), at(1), at(2)};
     turned += (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]) < 0;
   }
   const std::size_t flipped = found.flipped();
-  fuzz::require(turned <= flipped + static_cast<std::size_t>(found.distortion.ears), "triangles turned over are told");
+  fuzz::require(turned <= flipped + static_cast<std::size_t>(found.distortion.ears),
+                "triangles turned over are told");
   fuzz::require(flipped == 0 || found.verdict() != workshop::Verdict::yes, "flips are no yes");
 }
 

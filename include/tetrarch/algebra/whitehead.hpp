@@ -35,9 +35,10 @@ Renamed unchanged(const Presentation& group);
 Renamed substituted(const Renamed& before, const std::vector<Word>& word_of);
 
 /// Whitehead automorphisms until none makes the relators shorter; they come out cyclically reduced. O(g^3 n)
-/// for each letter that goes, with g generators and relators of n letters, and at most `most_steps`, some 10^9 a
-/// second: what is reached by then is short, perhaps not shortest.
-Renamed shortest(const Presentation& group, const Progress& progress = {}, long long most_steps = 200'000'000);
+/// for each letter that goes, with g generators and relators of n letters, and at most `most_steps`, some
+/// 10^9 a second: what is reached by then is short, perhaps not shortest.
+Renamed shortest(const Presentation& group, const Progress& progress = {},
+                 long long most_steps = 200'000'000);
 
 /// Further presentations that are as short: `from` first, then those that automorphisms lead to, at most
 /// `most`. Generators are not permuted. From eight generators on, `from` alone.

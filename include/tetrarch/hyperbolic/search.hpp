@@ -34,8 +34,8 @@ struct SearchOptions {
   int attempts = 1000;
   /// Triangulations may grow by so many tetrahedra above the simplified one.
   int most_extra_tets = 8;
-  /// Asked once, with the simplified triangulation, when 25 triangulations carried no structure, or fewer large
-  /// ones: whether it is known that there is none. Then the search ends.
+  /// Asked once, with the simplified triangulation, when 25 triangulations carried no structure, or fewer
+  /// large ones: whether it is known that there is none. Then the search ends.
   std::function<bool(const Triangulation&)> has_none;
 };
 

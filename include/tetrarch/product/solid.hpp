@@ -41,7 +41,8 @@ struct Solid {
 };
 
 /// Throws InputError with the tetrahedron (counted from 0) or a description of the boundary, unless the mesh
-/// keeps the promise, and unless it is between 1e-50 and 1e50 across. Signs of volumes are exact. Linear but for sorting faces.
+/// keeps the promise, and unless it is between 1e-50 and 1e50 across. Signs of volumes are exact. Linear but
+/// for sorting faces.
 Solid solid_of(solid::TetMesh mesh);
 
 /// The sum over the tetrahedra. O(n).

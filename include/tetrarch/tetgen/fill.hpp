@@ -17,17 +17,18 @@ namespace tetrarch::tetgen {
 
 struct Options {
   std::string program = "tetgen"; ///< looked up in PATH
-  /// Processor seconds that it may take; 0: `budget` of the surface. On surfaces that meet themselves it may never end.
+  /// Processor seconds that it may take; 0: `budget` of the surface. On surfaces that meet themselves it may
+  /// never end.
   int seconds = 0;
 };
 
 /// Processor seconds for a surface of so many triangles: some ten times what TetGen takes for good ones.
 int budget(std::size_t triangles);
 
-/// The solid as a soup of TetGen's tetrahedra; its points begin with those of the surface. Throws InputError if
-/// the surface is not closed (doctor/closed_surface.hpp), if the program is missing (it names the package), or
-/// if it fails or does not end in time (its last line of output says why: the surface may meet itself).
-/// Stopping ends the process, and whatever ends this one, the process ends when its time is over.
+/// The solid as a soup of TetGen's tetrahedra; its points begin with those of the surface. Throws InputError
+/// if the surface is not closed (doctor/closed_surface.hpp), if the program is missing (it names the
+/// package), or if it fails or does not end in time (its last line of output says why: the surface may meet
+/// itself). Stopping ends the process, and whatever ends this one, the process ends when its time is over.
 format::Soup fill(const format::Soup& surface, const Progress& progress = {}, const Options& options = {});
 
 } // namespace tetrarch::tetgen

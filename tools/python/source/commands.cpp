@@ -92,9 +92,9 @@ py::list collection(const std::string& path, const py::object& report) {
       interruptible(report, [path](const Progress&) { return workshop::read_collection(path); });
   py::list list;
   for (format::Element& element : read.elements)
-    list.append(py::make_tuple(
-        element.name, element.error ? py::none() : py::cast(content_of(std::move(element.document))),
-        element.error ? element.error->what() : ""));
+    list.append(py::make_tuple(element.name,
+                               element.error ? py::none() : py::cast(content_of(std::move(element.document))),
+                               element.error ? element.error->what() : ""));
   return list;
 }
 
