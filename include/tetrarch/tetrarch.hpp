@@ -67,6 +67,7 @@
 #include "tetrarch/diagram/diagram.hpp"
 #include "tetrarch/diagram/exterior.hpp"
 #include "tetrarch/diagram/layout.hpp"
+#include "tetrarch/diagram/marked.hpp"
 #include "tetrarch/diagram/moves.hpp"
 #include "tetrarch/diagram/names.hpp"
 #include "tetrarch/diagram/read.hpp"
