@@ -29,7 +29,8 @@ public:
     // chi of the link: 2 for each point, less 2 for each drilled arc, less what ends there.
     chi_.assign(parent_.size(), 0);
     for (int n = 0; n < diagram.node_count(); ++n)
-      for (int strand = 0; strand < (diagram.node(n).crossing ? 2 : 1); ++strand) chi_[root(2 * n + strand)] += 2;
+      for (int strand = 0; strand < (diagram.node(n).crossing ? 2 : 1); ++strand)
+        chi_[root(2 * n + strand)] += 2;
     for (int d = 0; d < diagram.dart_count(); ++d) {
       const Fate& fate = marked_.fates[d];
       chi_[root(point(d))] -= !fate ? 1 : *fate == 0 ? 1 : 1 - 1 / *fate;
@@ -58,7 +59,7 @@ private:
 /// edge leaves a cusp in place of two, so nothing new arises.
 MarkedDiagram without_flat_null_edges(MarkedDiagram marked) {
   Blobs blobs(marked);
-  const Classes edge = edges(marked.diagram);
+  const Classes edge = edges(marked);
   std::vector<bool> flat(static_cast<std::size_t>(edge.count), true);
   for (int d = 0; d < marked.diagram.dart_count(); ++d)
     if (!marked.fates[d] || *marked.fates[d] != 0 || !blobs.is_flat(d)) flat[edge.of[d]] = false;
@@ -91,16 +92,34 @@ bool keeps_edges(const MarkedDiagram& marked) {
   return std::any_of(marked.fates.begin(), marked.fates.end(), [](const Fate& f) { return f.has_value(); });
 }
 
-std::vector<Fate> fates_of_edges(const MarkedDiagram& marked) {
-  const Classes edge = edges(marked.diagram);
-  std::vector<Fate> out(static_cast<std::size_t>(edge.count));
-  std::vector<bool> told(out.size(), false);
-  for (int d = 0; d < marked.diagram.dart_count(); ++d) {
-    const auto e = static_cast<std::size_t>(edge.of[d]);
-    if (told[e] && out[e] != marked.fates[d]) throw PreconditionError("the fate of an edge changes along it");
-    told[e] = true;
-    out[e] = marked.fates[d];
+Classes edges(const MarkedDiagram& marked) {
+  const Diagram& diagram = marked.diagram;
+  std::vector<int> parent(static_cast<std::size_t>(diagram.dart_count()));
+  std::iota(parent.begin(), parent.end(), 0);
+  const auto join = [&parent](int d, int e) {
+    parent[numeric::find_root(parent, d)] = numeric::find_root(parent, e);
+  };
+  for (int d = 0; d < diagram.dart_count(); ++d) {
+    join(d, diagram.opposite(d));
+    if (diagram.at_crossing(d)) join(d, diagram.turned(d, 2));
+    const int beyond = diagram.turned(d, 1);
+    if (diagram.node(diagram.node_of(d)).darts.size() == 2 && marked.fates[d] == marked.fates[beyond])
+      join(d, beyond);
   }
+  Classes classes;
+  std::vector<int> number(parent.size(), -1);
+  for (int d = 0; d < diagram.dart_count(); ++d) {
+    int& n = number[numeric::find_root(parent, d)];
+    if (n < 0) n = classes.count++;
+    classes.of.push_back(n);
+  }
+  return classes;
+}
+
+std::vector<Fate> fates_of_edges(const MarkedDiagram& marked) {
+  const Classes edge = edges(marked);
+  std::vector<Fate> out(static_cast<std::size_t>(edge.count));
+  for (int d = 0; d < marked.diagram.dart_count(); ++d) out[edge.of[d]] = marked.fates[d];
   return out;
 }
 
@@ -129,7 +148,8 @@ moves::MarkedTriangulation marked_exterior(const MarkedDiagram& marked, const Ex
   const auto crushed = moves::crushed(sphere.tri, skeleton, orders, drilled);
   const auto* rest = std::get_if<moves::MarkedTriangulation>(&crushed);
   if (rest == nullptr)
-    throw PreconditionError("marked_exterior: " + std::string(moves::to_string(std::get<moves::Obstacle>(crushed))));
+    throw PreconditionError("marked_exterior: " +
+                            std::string(moves::to_string(std::get<moves::Obstacle>(crushed))));
   const Skeleton rest_skeleton(rest->tri);
   moves::MarkedComplex complex(rest->tri, rest_skeleton, edge_orders(rest_skeleton, rest->marks));
   moves::reduce(complex, progress);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include "tetrarch/format/orb.hpp"
 #include "tetrarch/core/error.hpp"
 #include "tetrarch/diagram/marked.hpp"
-#include "tetrarch/format/orb.hpp"
 #include "tetrarch/numeric/union_find.hpp"
 
 #include <algorithm>
@@ -61,7 +61,9 @@ public:
   }
 
 private:
-  [[noreturn]] void fail(int line, const std::string& message) const { throw InputError({source_, line}, message); }
+  [[noreturn]] void fail(int line, const std::string& message) const {
+    throw InputError({source_, line}, message);
+  }
 
   Heading between(int p, int q) const {
     const auto& a = drawing_.points[p];
@@ -87,7 +89,8 @@ private:
       return std::minmax(drawing_.points[x.from][axis], drawing_.points[x.to][axis]);
     };
     for (int axis = 0; axis < 2; ++axis)
-      if (box(axis, a).second < box(axis, b).first || box(axis, b).second < box(axis, a).first) return Meeting::none;
+      if (box(axis, a).second < box(axis, b).first || box(axis, b).second < box(axis, a).first)
+        return Meeting::none;
     return Meeting::other;
   }
 
@@ -95,7 +98,8 @@ private:
     std::map<std::pair<int, int>, int> told;
     for (const OrbDrawing::Crossing& x : drawing_.crossings)
       if (!told.emplace(std::minmax(x.over, x.under), x.line).second)
-        fail(x.line, "segments " + std::to_string(x.over) + " and " + std::to_string(x.under) + " cross twice");
+        fail(x.line,
+             "segments " + std::to_string(x.over) + " and " + std::to_string(x.under) + " cross twice");
     const int count = static_cast<int>(drawing_.segments.size());
     for (int s = 0; s < count; ++s)
       for (int t = s + 1; t < count; ++t) {
@@ -106,7 +110,8 @@ private:
         const auto at = told.find({s, t});
         const std::string names = "segments " + std::to_string(s) + " and " + std::to_string(t);
         if (at != told.end() && found != Meeting::crossing) fail(at->second, names + " do not cross");
-        if (at == told.end() && found == Meeting::crossing) fail(b.line, names + " cross, and no crossing says how");
+        if (at == told.end() && found == Meeting::crossing)
+          fail(b.line, names + " cross, and no crossing says how");
         if (found == Meeting::other) fail(b.line, names + " meet in an end of one");
         if (at != told.end()) told.erase(at);
       }
@@ -256,18 +261,19 @@ private:
 
   const OrbDrawing& drawing_;
   const std::string& source_;
-  std::vector<std::vector<End>> at_;    ///< of each point
-  std::vector<std::array<int, 2>> in_;  ///< of each crossing, by which the upper and the lower strand come in
-  std::vector<int> opposite_;           ///< of each dart, as are
-  std::vector<int> segment_;            ///< this
-  std::vector<int> arc_;                ///< and this
-  std::vector<int> image_;              ///< and this: the number in the end
-  std::vector<bool> drilled_;           ///< of each arc
+  std::vector<std::vector<End>> at_;   ///< of each point
+  std::vector<std::array<int, 2>> in_; ///< of each crossing, by which the upper and the lower strand come in
+  std::vector<int> opposite_;          ///< of each dart, as are
+  std::vector<int> segment_;           ///< this
+  std::vector<int> arc_;               ///< and this
+  std::vector<int> image_;             ///< and this: the number in the end
+  std::vector<bool> drilled_;          ///< of each arc
 };
 
 } // namespace
 
-std::optional<MarkedDiagram> read_orb_diagram(std::string_view text, const std::string& source, bool drilled) {
+std::optional<MarkedDiagram> read_orb_diagram(std::string_view text, const std::string& source,
+                                              bool drilled) {
   std::optional<OrbDrawing> drawing = format::read_orb_drawing(text, source);
   if (!drawing) return std::nullopt;
   if (drilled)
@@ -277,7 +283,8 @@ std::optional<MarkedDiagram> read_orb_diagram(std::string_view text, const std::
   if (!drilled && drawn.kept_count() != curves)
     throw InputError({source, 0}, "the drawing has " + std::to_string(drawn.kept_count()) +
                                       " edges that are not drilled, the triangulation " +
-                                      std::to_string(curves) + " singular curves: their orders cannot be told");
+                                      std::to_string(curves) +
+                                      " singular curves: their orders cannot be told");
   return std::move(drawn).finished(drawing->orders);
 }
 

@@ -60,7 +60,10 @@ Tree meridians_tree(const Exterior& x) {
 std::string fates_text(const std::vector<diagram::Fate>& fates) {
   std::vector<std::string> words;
   for (const diagram::Fate& fate : fates)
-    words.push_back(!fate ? "drilled" : *fate == 0 ? "null" : *fate == 1 ? "order 1" : "order " + format::to_text(*fate));
+    words.push_back(!fate        ? "drilled"
+                    : *fate == 0 ? "null"
+                    : *fate == 1 ? "order 1"
+                                 : "order " + format::to_text(*fate));
   return joined(words, ", ");
 }
 
@@ -92,9 +95,11 @@ diagram::MarkedDiagram opened_diagram(const std::string& what, const OpenOptions
   using diagram::all_drilled;
   if (diagram::looks_like_diagram(what)) return all_drilled(diagram::read_diagram(what, "the code given"));
   if (!is_file(what, options.samples)) {
-    if (std::optional<diagram::Diagram> named = diagram::named_diagram(what)) return all_drilled(std::move(*named));
-    throw InputError(in_quotes(what) + " is no file, no name of a knot, link or graph and no code of a "
-                                       "diagram (" +
+    if (std::optional<diagram::Diagram> named = diagram::named_diagram(what))
+      return all_drilled(std::move(*named));
+    throw InputError(in_quotes(what) +
+                     " is no file, no name of a knot, link or graph and no code of a "
+                     "diagram (" +
                      std::string(codes) + ")");
   }
   const std::string source = format::source_name(what);
@@ -175,14 +180,16 @@ Exterior exterior(const diagram::Diagram& diagram, const ExteriorOptions& option
   return exterior(diagram::all_drilled(diagram), options, progress);
 }
 
-Exterior exterior(const diagram::MarkedDiagram& marked, const ExteriorOptions& options, const Progress& progress) {
+Exterior exterior(const diagram::MarkedDiagram& marked, const ExteriorOptions& options,
+                  const Progress& progress) {
   const diagram::Diagram& diagram = marked.diagram;
   const bool keeps = diagram::keeps_edges(marked);
   if (options.doubled && !has_vertices(diagram))
     throw InputError("there is no vertex of valence 3 or more, along whose sphere a double could be glued");
   if (keeps && (options.doubled || options.parabolic))
-    throw InputError("a double, or the structure with parabolic meridians, is that of a graph all of whose edges "
-                     "are drilled; here some stay, with orders of their own");
+    throw InputError(
+        "a double, or the structure with parabolic meridians, is that of a graph all of whose edges "
+        "are drilled; here some stay, with orders of their own");
   Exterior x;
   x.diagram = facts(diagram);
   x.wirtinger = diagram::wirtinger(diagram);
@@ -246,7 +253,10 @@ const FieldList<Exterior>& fields_of<Exterior>() {
        [](X x) -> Tree { return x.diagram.components; }},
       {{"meridians", "", "of each edge of the graph its meridian, a word in the group \"wirtinger\""},
        meridians_tree},
-      {{"orders", "", "of each edge of the graph its order (0: its meridian is parabolic); null: it is drilled"},
+      {{"orders", "",
+        "of each edge of the graph its order (0: its meridian is parabolic); null: it is drilled. An edge "
+        "ends "
+        "where it begins to be drilled"},
        fates_tree,
        [](X x) { return !x.fates.empty(); }},
       {{"marks", "", "edges of the triangulation that stay: tetrahedron, edge, order"},

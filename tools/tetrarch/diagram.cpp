@@ -44,13 +44,14 @@ struct ExteriorOptions {
 
 /// The orders that are asked for, edge by edge: "2:3", "all:0".
 void set_orders(diagram::MarkedDiagram& marked, const std::vector<std::string>& words) {
-  const diagram::Classes edge = diagram::edges(marked.diagram);
+  const diagram::Classes edge = diagram::edges(marked);
   for (const std::string& word : words) {
     const std::size_t colon = word.find(':');
     const std::string name = word.substr(0, colon);
     const bool all = name == "all";
     const std::int64_t number = format::parse_integer(name).value_or(-1);
-    const double order = colon == std::string::npos ? -1 : format::parse_double(word.substr(colon + 1)).value_or(-1);
+    const double order =
+        colon == std::string::npos ? -1 : format::parse_double(word.substr(colon + 1)).value_or(-1);
     if (!(all || (number >= 0 && number < edge.count)) || !is_edge_order(order))
       throw InputError("--order: found " + in_quotes(word) + " (expected an edge of the graph, 0 to " +
                        std::to_string(edge.count - 1) + " or all, and an order, 0, 1 or above: 0:3)");
@@ -117,7 +118,8 @@ Run declare_exterior(OptionTable& table) {
   table.add("--mirror", options->mirror, "take the mirror image");
   table
       .add("--order", options->orders,
-           "keep an edge of the graph in the triangulation, with the cone angle 2 pi / n around it (0: with a parabolic "
+           "keep an edge of the graph in the triangulation, with the cone angle 2 pi / n around it (0: with "
+           "a parabolic "
            "meridian), and drill only the others: 2:3, all:0")
       .value_name("EDGE:N");
   table.add("--drilled", options->drilled,

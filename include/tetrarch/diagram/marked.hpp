@@ -25,8 +25,8 @@ using Fate = std::optional<double>;
 
 struct MarkedDiagram {
   Diagram diagram;
-  /// Of each dart, the same on both halves of an arc and on both sides of a crossing. At a vertex of valence 2
-  /// it may change.
+  /// Of each dart, the same on both halves of an arc and on both sides of a crossing. At a vertex of valence
+  /// 2 it may change.
   std::vector<Fate> fates;
 };
 
@@ -34,7 +34,9 @@ struct MarkedDiagram {
 MarkedDiagram all_drilled(Diagram diagram);
 /// Whether some edge stays. O(darts).
 bool keeps_edges(const MarkedDiagram& marked);
-/// The fate of each edge of the graph (diagram::edges). Throws PreconditionError where it changes along one. O(darts).
+/// As diagram::edges, but an edge ends at a point of valence 2 where its fate changes. O(darts).
+Classes edges(const MarkedDiagram& marked);
+/// Of each of these. O(darts).
 std::vector<Fate> fates_of_edges(const MarkedDiagram& marked);
 
 /// The graph that is drawn in an Orb file (format: orb.hpp), seen as on the screen; nothing where none is
@@ -45,7 +47,8 @@ std::vector<Fate> fates_of_edges(const MarkedDiagram& marked);
 /// cross where no crossing says so, or meet otherwise, and for a crossing in a wrong place along a segment.
 /// Where the file's triangulation has other singular curves than the drawing, orders cannot be told and that
 /// is an error, too, unless `drilled` asks for all edges drilled. O(segments^2).
-std::optional<MarkedDiagram> read_orb_diagram(std::string_view text, const std::string& source, bool drilled = false);
+std::optional<MarkedDiagram> read_orb_diagram(std::string_view text, const std::string& source,
+                                              bool drilled = false);
 
 /// The exterior of what is drilled, with the edges that stay as marked edges, with few tetrahedra; those of
 /// order 1 go. A null edge between two cusps has no place in a triangulation (hyperbolic: orbifold) and is

@@ -34,8 +34,8 @@
 /// source: read like this and in no other way tried, all gluings agree, and edges, their degrees and vertices
 /// are as the file says. None of them has boundary faces, and so none are
 /// expected. Singular curves are the edges of the drawn graph that are not drilled, numbered from 1 by their
-/// first segments. (Which of the two segments of a crossing is above, no volume tells; Orb's code does, where it
-/// reads the file.)
+/// first segments. (Which of the two segments of a crossing is above, no volume tells; Orb's code does, where
+/// it reads the file.)
 
 #include "tetrarch/format/document.hpp"
 
@@ -74,8 +74,8 @@ struct OrbDrawing {
   std::vector<double> orders; ///< of singular curve k + 1, as the edges of the triangulation have it
 };
 /// Nothing where the file has no drawing. Throws InputError as `read_orb` does, and for a point or a segment
-/// that there is none of, a segment from a point to itself, two orders of one curve. Whether the picture is that
-/// of a diagram is not asked. O(length).
+/// that there is none of, a segment from a point to itself, two orders of one curve. Whether the picture is
+/// that of a diagram is not asked. O(length).
 std::optional<OrbDrawing> read_orb_drawing(std::string_view text, const std::string& source);
 
 } // namespace tetrarch::format

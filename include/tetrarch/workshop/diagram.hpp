@@ -16,8 +16,8 @@
 namespace tetrarch::workshop {
 
 /// The diagram that this is: a file, "-", or a code spelled out ("braid 1 -2 1 -2"). A file may also hold the
-/// points of a curve in space, or lines of OBJ: it is reduced and projected. Of an Orb file, the drawing. Throws
-/// InputError that says what was tried.
+/// points of a curve in space, or lines of OBJ: it is reduced and projected. Of an Orb file, the drawing.
+/// Throws InputError that says what was tried.
 diagram::Diagram open_diagram(const std::string& what, const OpenOptions& options = {},
                               std::uint64_t seed = 1, const Progress& progress = {});
 
@@ -58,10 +58,10 @@ struct Exterior {
     std::string how; ///< a sentence: where it was found, or what was tried
   };
   std::optional<Parabolic> parabolic;
-  int filled_spheres = 0; ///< trees among the components: the ball round each is there again
+  int filled_spheres = 0;           ///< trees among the components: the ball round each is there again
   std::vector<diagram::Fate> fates; ///< of each edge of the graph; empty: all are drilled
   Marks marks;                      ///< of the edges that stay, on the triangulation
-  bool is_double = false; ///< the triangulation is that of diagram::doubled_exterior
+  bool is_double = false;           ///< the triangulation is that of diagram::doubled_exterior
 };
 
 struct ExteriorOptions {
