@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "tetrarch/canonical/marked_canonize.hpp"
 
+#include "cells_with_marks.hpp"
+
 #include "tetrarch/canonical/flips.hpp"
 #include "tetrarch/core/error.hpp"
 #include "tetrarch/core/marked_isomorphism.hpp"
@@ -46,7 +48,8 @@ Marks all_null(Marks marks) {
 }
 
 /// The colors after one move; nothing if a marked edge was removed.
-std::optional<Colors> carried(const Colors& colors, const moves::Ball& ball, const moves::Replaced& replaced) {
+std::optional<Colors> carried(const Colors& colors, const moves::Ball& ball,
+                              const moves::Replaced& replaced) {
   constexpr int most_corners = 6;
   std::array<std::array<double, most_corners>, most_corners> known{};
   for (auto& row : known) row.fill(1);
@@ -105,9 +108,10 @@ public:
       if (k > 1 && random_.below(2) == 0) moves::reduce(trial, progress_.silent());
       const moves::MarkedTriangulation start = trial.compact();
       if (attempt(start)) return std::move(out_);
+      if (k == 1 || why_.empty()) why_ = out_.why_not; // of the small one, if there is
       if (hopeless_) break;
     }
-    if (out_.why_not.empty()) out_.why_not = "no structure with parabolic meridians was found";
+    out_.why_not = why_;
     return std::move(out_);
   }
 
@@ -117,7 +121,8 @@ private:
     const auto s = solve(start.tri, skeleton, start.marks);
     if (!s) return false;
     Decorated<double> m = decorated(start.tri, skeleton, *s);
-    const std::uint64_t order = random_.below(2) == 0 ? 0 : 1 + static_cast<std::uint64_t>(random_.below(1000));
+    const std::uint64_t order =
+        random_.below(2) == 0 ? 0 : 1 + static_cast<std::uint64_t>(random_.below(1000));
     const Flips flips = flip_to_hull(m, {options_.sign_margin, most_moves, order}, progress_);
     if (flips.end != Flips::End::convex) {
       out_.why_not = "a face stays concave and no move mends it";
@@ -139,13 +144,16 @@ private:
   }
 
   /// With all marks null; nothing where that is no structure with positive tetrahedra.
-  std::optional<OrbifoldStructure> solve(const Triangulation& tri, const Skeleton& skeleton, const Marks& marks) {
+  std::optional<OrbifoldStructure> solve(const Triangulation& tri, const Skeleton& skeleton,
+                                         const Marks& marks) {
     hyperbolic::OrbifoldOptions how;
     how.use_homotopy = false; // it leads to tetrahedra that are turned over, of no use here
-    OrbifoldStructure s = solve_orbifold(tri, skeleton, edge_orders(skeleton, all_null(marks)), how, progress_.silent());
+    OrbifoldStructure s =
+        solve_orbifold(tri, skeleton, edge_orders(skeleton, all_null(marks)), how, progress_.silent());
     using hyperbolic::OrbifoldOutcome;
     if (s.outcome == OrbifoldOutcome::geometric) {
-      if (std::none_of(s.types.begin(), s.types.end(), [](VertexType t) { return t == VertexType::finite; })) return s;
+      if (std::none_of(s.types.begin(), s.types.end(), [](VertexType t) { return t == VertexType::finite; }))
+        return s;
       out_.why_not = "a vertex stays finite where all meridians are parabolic";
       return std::nullopt;
     }
@@ -189,12 +197,16 @@ private:
 
   void name_cells(const Colors& colors) {
     Canonical& out = out_.canonical;
+    out.cells.clear();
     if (!out.has_flat_faces) {
       out.cells.assign(static_cast<std::size_t>(out.triangulation.size()), "tetrahedron");
       out.canonical_triangulation = out.triangulation;
       out.canonical_marks = out.marks;
     } else {
-      CellDecomposition parts = cell_decomposition(out.triangulation, Skeleton(out.triangulation), out.flat);
+      const Skeleton skeleton(out.triangulation);
+      Table<EdgeId, bool> kept(skeleton.edge_count(), false);
+      for (const EdgeMark& mark : out.marks) kept[skeleton.edge(mark.edge)] = true;
+      CellDecomposition parts = cell_decomposition(out.triangulation, skeleton, out.flat, kept);
       for (const Cell& cell : parts.cells) out.cells.push_back(cell.name());
       Colors coned(static_cast<std::size_t>(parts.coned.size()));
       for (std::size_t t = 0; t < coned.size(); ++t) {
@@ -219,13 +231,14 @@ private:
   const Progress& progress_;
   SplitMix64 random_;
   MarkedCanonical out_;
+  std::string why_;
   bool hopeless_ = false;
 };
 
 } // namespace
 
-MarkedCanonical canonize_marked(const Triangulation& tri, const Marks& marks, const MarkedCanonizeOptions& options,
-                                const Progress& progress) {
+MarkedCanonical canonize_marked(const Triangulation& tri, const Marks& marks,
+                                const MarkedCanonizeOptions& options, const Progress& progress) {
   if (marks.empty()) throw PreconditionError("canonize_marked: there are no marks");
   return MarkedCanonizer(options, progress).run(tri, marks);
 }

@@ -328,7 +328,8 @@ Rows rows_of(const Cells& found) {
             {"tetrahedra", std::to_string(c.triangulation.size())},
             {"smallest tilt", scientific(c.smallest_tilt, 3)},
             {"volume", fixed(found.volume, 12)}};
-  if (!c.marks.empty()) rows.emplace_back("marks", orders_text(c.marks) + "; cells and volume are those of parabolic meridians");
+  if (!c.marks.empty())
+    rows.emplace_back("marks", orders_text(c.marks) + "; cells and volume are those of parabolic meridians");
   if (found.filled_spheres > 0) rows.emplace_back("filled spheres", filled_text(found.filled_spheres));
   return rows;
 }
@@ -473,7 +474,8 @@ const FieldList<Cells>& fields_of<Cells>() {
       {{"volume", "curvature -1", "the volume; with marks that of the structure with parabolic meridians"},
        [](C c) -> Tree { return c.volume; },
        is_found},
-      {{"marks", "", "of each marked edge of the canonical triangulation a tetrahedron, its edge, and the order"},
+      {{"marks", "",
+        "of each marked edge of the canonical triangulation a tetrahedron, its edge, and the order"},
        [](C c) -> Tree { return marks_tree(c.canonical->canonical_marks); },
        [](C c) { return is_found(c) && !c.canonical->marks.empty(); }},
       {{"filled_spheres", "", "number of boundary spheres that were filled with balls"},

@@ -68,8 +68,8 @@ GraphOrders graph_orders(const MarkedTriangulation& marked) {
   return out;
 }
 
-/// The group of the orbifold: going n times round an edge of order n is trivial. Where n is 0 or no whole number,
-/// nothing follows: the group is still one that a homeomorphism of marked manifolds leaves alone.
+/// The group of the orbifold: going n times round an edge of order n is trivial. Where n is 0 or no whole
+/// number, nothing follows: the group is still one that a homeomorphism of marked manifolds leaves alone.
 algebra::Presentation orbifold_group(const MarkedTriangulation& marked, const Progress& progress) {
   const Skeleton skeleton(marked.tri);
   const EdgeOrders orders = edge_orders(skeleton, marked.marks);
@@ -99,10 +99,11 @@ std::optional<IsometryAnswer> differ_in_orders(const MarkedTriangulation& x, con
     return words.empty() ? std::string("none") : joined(words, ", ");
   };
   if (a.edges != b.edges)
-    return marks_differ(IsometryProof::marks, "the orders of the edges differ: " + listed(a.edges) + " against " + listed(b.edges));
+    return marks_differ(IsometryProof::marks,
+                        "the orders of the edges differ: " + listed(a.edges) + " against " + listed(b.edges));
   if (a.vertices == b.vertices) return std::nullopt;
-  return marks_differ(IsometryProof::marks, "the orders at the vertices differ: " + joined(a.vertices, "; ") + " against " +
-                              joined(b.vertices, "; "));
+  return marks_differ(IsometryProof::marks, "the orders at the vertices differ: " + joined(a.vertices, "; ") +
+                                                " against " + joined(b.vertices, "; "));
 }
 
 std::optional<IsometryAnswer> differ_in_group(const algebra::Presentation& x, const algebra::Presentation& y,
@@ -110,8 +111,8 @@ std::optional<IsometryAnswer> differ_in_group(const algebra::Presentation& x, co
   const auto h_x = algebra::abelianized(x);
   const auto h_y = algebra::abelianized(y);
   if (!(h_x == h_y))
-    return marks_differ(IsometryProof::homology, "the first homology of the orbifolds' groups differs: " + h_x.str() + " against " +
-                                   h_y.str());
+    return marks_differ(IsometryProof::homology, "the first homology of the orbifolds' groups differs: " +
+                                                     h_x.str() + " against " + h_y.str());
   constexpr int most_sheets = 6;
   constexpr long long most_steps = 200'000;
   for (int degree = 2; degree <= most_sheets; ++degree) {
@@ -119,8 +120,8 @@ std::optional<IsometryAnswer> differ_in_group(const algebra::Presentation& x, co
     const auto covers_y = algebra::homology_of_covers(y, degree, most_steps, progress);
     if (!covers_x.complete || !covers_y.complete) return std::nullopt;
     if (covers_x.of == covers_y.of) continue;
-    return marks_differ(IsometryProof::covers, "the first homology of the orbifolds' covers of " + std::to_string(degree) +
-                                 " sheets differs");
+    return marks_differ(IsometryProof::covers, "the first homology of the orbifolds' covers of " +
+                                                   std::to_string(degree) + " sheets differs");
   }
   return std::nullopt;
 }
@@ -186,11 +187,12 @@ std::optional<IsometryAnswer> differ_in_exteriors(const MarkedTriangulation& x, 
   const Triangulation exterior_y = exterior_of_marks(y, progress);
   CanonicalOptions how = options;
   how.marks.clear();
-  constexpr int most_attempts = 200;
+  constexpr int most_attempts = 50;
   how.attempts = std::min(how.attempts, most_attempts);
   const Isometry found = isometry({exterior_x, name_x}, {exterior_y, name_y}, how, progress);
   if (found.answer.verdict != Says::not_isometric) return std::nullopt;
-  return marks_differ(found.answer.proof, "the exteriors of the marked edges are not homeomorphic: " + found.answer.reason);
+  return marks_differ(found.answer.proof,
+                      "the exteriors of the marked edges are not homeomorphic: " + found.answer.reason);
 }
 
 canonical::MarkedCanonical colored_cells(const MarkedTriangulation& marked, const CanonicalOptions& options,
@@ -202,8 +204,8 @@ canonical::MarkedCanonical colored_cells(const MarkedTriangulation& marked, cons
 }
 
 /// By colored cells: a yes, or what is left to say.
-bool agree_in_cells(const MarkedTriangulation& x, const MarkedTriangulation& y, const CanonicalOptions& options,
-                    Isometry& found, const Progress& progress) {
+bool agree_in_cells(const MarkedTriangulation& x, const MarkedTriangulation& y,
+                    const CanonicalOptions& options, Isometry& found, const Progress& progress) {
   const canonical::MarkedCanonical a = colored_cells(x, options, progress);
   const canonical::MarkedCanonical b = colored_cells(y, options, progress);
   for (const auto& [cells, name] : {std::pair{&a, &found.x}, std::pair{&b, &found.y}})
@@ -216,7 +218,8 @@ bool agree_in_cells(const MarkedTriangulation& x, const MarkedTriangulation& y, 
   if (agree({p.canonical_triangulation, p.canonical_marks}, {q.canonical_triangulation, q.canonical_marks},
             "canonical triangulations", found))
     return true;
-  found.answer.reason = "the canonical cells, colored by orders, differ, but with marked edges they are not proved";
+  found.answer.reason =
+      "the canonical cells, colored by orders, differ, but with marked edges they are not proved";
   return false;
 }
 
@@ -259,7 +262,8 @@ Isometry isometry_with_marks(const Compared& x, const Compared& y, const Canonic
   const std::string doubt = found.answer.reason;
   if (meet(small_x, small_y, options.seed, found, progress) ||
       decided(differ_in_exteriors(small_x, x.name, small_y, y.name, options, progress)) ||
-      decided(differ_in_group(orbifold_group(small_x, progress), orbifold_group(small_y, progress), progress)))
+      decided(
+          differ_in_group(orbifold_group(small_x, progress), orbifold_group(small_y, progress), progress)))
     return found;
   found.answer.reason = doubt + "; exteriors, the orbifolds' groups and their covers do not tell them apart";
   return found;

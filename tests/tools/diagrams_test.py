@@ -200,6 +200,50 @@ class OrbDrawings(InFolder):
         self.assertEqual((status, found["keeps_orientation"], found["reverses_orientation"]), (0, True, False))
         self.assertAlmostEqual(found["x"]["volume"], 2.828122088330, delta=1e-11)
 
+    def orbifold(self, code, *orders):
+        """The graph with orders of its edges in a file."""
+        path = self.path(f"orbifold{len(os.listdir(self.path('.')))}.json")
+        words = [word for k, n in enumerate(orders) for word in ("--order", f"{k}:{n}")]
+        self.assertEqual(run("exterior", code, *words, "-o", path).returncode, 0)
+        return path
+
+    def test_isometries_respect_orders(self):
+        theta = "V[1, 4, 9] V[3, 8, 13] X[10, 6, 11, 7] X[5, 2, 6, 3] X[1, 11, 2, 12] X[12, 5, 13, 4] X[7, 9, 8, 10]"
+        trefoil = "X[1, 4, 2, 5] X[3, 6, 8, 7] X[5, 2, 6, 3] V[7, 9, 1] V[4, 9, 8]"  # with an arc, edge 2
+        one = self.orbifold(theta, 2, 3, 4)
+        arc = self.orbifold(trefoil, 2, 2, 3)
+        for x, y, status, proof in ((one, self.orbifold(theta, 3, 2, 4), 0, "isomorphism"),
+                                    (one, self.orbifold(theta, 2, 3, 5), 1, "marks"),
+                                    (one, self.orbifold(trefoil, 2, 3, 4), 1, "structure"),
+                                    (one, "hk5_3", 1, "boundary"),
+                                    (arc, self.orbifold(trefoil, 2, 3, 2), 1, "covers"),
+                                    (self.orbifold(trefoil, 3, 2, 2), self.orbifold(trefoil, 2, 3, 2), 0, "isomorphism"),
+                                    (self.orbifold("4_1", 3), self.orbifold("5_2", 3), 1, "volume"),
+                                    (self.orbifold("4_1", 3), self.orbifold("4_1", 4), 1, "marks")):
+            found_status, found = run_json("isometric", x, y)
+            self.assertEqual((found_status, found["isometric"], found["proof"]), (status, status == 0, proof), found["reason"])
+            # And the other way round.
+            self.assertEqual(run_json("isometric", y, x)[1]["proof"], proof)
+        k4 = "V[1, 3, 2] V[4, 5, 1] V[2, 6, 4] V[3, 5, 6]"
+        adjacent, opposite = self.orbifold(k4, 5, 5, 3, 3, 3, 3), self.orbifold(k4, 5, 3, 3, 3, 3, 5)
+        found = run_json("isometric", adjacent, opposite)[1]
+        self.assertEqual((found["isometric"], found["proof"]), (False, "marks"))
+        self.assertIn("the orders at the vertices differ: sphere with 3, 3, 3; ", found["reason"])
+        self.assertIn("isometric: the ", run("isometric", one, one).stdout)
+
+    def test_colored_cells(self):
+        k4 = self.orbifold("V[1, 3, 2] V[4, 5, 1] V[2, 6, 4] V[3, 5, 6]", *(3,) * 6)
+        output = self.path("cells.json")
+        status, found = run_json("canonize", k4, "-o", output)
+        self.assertEqual((status, found["cells"], found["isometry_group_order"]), (0, ["tetrahedron"] * 2, 48))
+        self.assertEqual((found["certified"], len(found["marks"])), (False, 6))
+        self.assertIn("_0-01:3", found["isometry_signature"])
+        self.assertEqual(run_json("isometric", output, k4)[1]["isometric"], True)
+        self.assertIn("those of parabolic meridians", run("canonize", k4).stdout)
+        done = run("canonize", self.orbifold("4_1", 5))
+        self.assertEqual(done.returncode, 4)
+        self.assertIn("joins two cusps", done.stdout)
+
     def test_bad_drawings(self):
         done = run("exterior", self.path("none.orb", orb_file((0,), [], [], [])))
         self.assertEqual((done.returncode, done.stderr.count("\n")), (2, 1))

@@ -83,8 +83,8 @@ Result isometric(const IsometricOptions& options, const Context& context) {
   workshop::require_filled(given_y, y);
   workshop::CanonicalOptions how;
   how.seed = context.seed;
-  const workshop::Isometry found =
-      isometry({given_x.triangulation, x, given_x.marks}, {given_y.triangulation, y, given_y.marks}, how, context.progress);
+  const workshop::Isometry found = isometry({given_x.triangulation, x, given_x.marks},
+                                            {given_y.triangulation, y, given_y.marks}, how, context.progress);
   Result result;
   result.warnings = given_x.warnings;
   result.warnings.insert(result.warnings.end(), given_y.warnings.begin(), given_y.warnings.end());

@@ -74,8 +74,8 @@ struct Canonical {
                                  const hyperbolic::Hyperbolization<double>& structure,
                                  const CanonizeOptions& options = {}, const Progress& progress = {});
 
-/// The isometries, as automorphisms of the canonical triangulation; orientation-reversing ones included. Marks
-/// go to marks of the same order.
+/// The isometries, as automorphisms of the canonical triangulation; orientation-reversing ones included.
+/// Marks go to marks of the same order.
 std::vector<Isomorphism> isometry_group(const Canonical& canonical);
 
 /// Whether two manifolds are isometric.

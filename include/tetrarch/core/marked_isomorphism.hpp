@@ -3,8 +3,8 @@
 
 /// Isomorphisms that respect marks, and signatures that tell them.
 ///
-/// An isomorphism of marked triangulations takes every edge to one of the same order. So it is a homeomorphism of
-/// the pairs of manifold and graph; where all orders are whole numbers, one of orbifolds.
+/// An isomorphism of marked triangulations takes every edge to one of the same order. So it is a
+/// homeomorphism of the pairs of manifold and graph; where all orders are whole numbers, one of orbifolds.
 
 #include "tetrarch/core/isomorphism.hpp"
 #include "tetrarch/core/marks.hpp"
@@ -24,8 +24,8 @@ struct MarkedView {
 /// Whether an isomorphism takes edges to edges of the same order. O(n).
 bool respects_marks(const Isomorphism& iso, const MarkedView& a, const MarkedView& b);
 
-/// All isomorphisms between two connected triangulations that respect marks, ordered as `isomorphisms` does. Throw
-/// PreconditionError where `fault_of` finds one, or for a triangulation that is not connected. O(n^2).
+/// All isomorphisms between two connected triangulations that respect marks, ordered as `isomorphisms` does.
+/// Throw PreconditionError where `fault_of` finds one, or for a triangulation that is not connected. O(n^2).
 std::vector<Isomorphism> marked_isomorphisms(const MarkedView& a, const MarkedView& b);
 /// The first, or nothing.
 std::optional<Isomorphism> find_marked_isomorphism(const MarkedView& a, const MarkedView& b);

@@ -78,11 +78,11 @@ struct Isometry {
 /// triangulations themselves, then certified volumes, then canonical cells, then the homology of covers.
 /// Where only one carries a structure, a reason why the other has none decides.
 ///
-/// With marks the question is whether a homeomorphism takes marked edges to marked edges of the same orders; where
-/// these are whole numbers and both are hyperbolic, that is an isometry of orbifolds. A yes is an isomorphism of
-/// marked triangulations that moves reach which keep marks. A no is that the orders differ, or how they meet at
-/// vertices; the first homology of the orbifold's group or of its covers; or that the exteriors of the marked
-/// edges are not homeomorphic, by the above.
+/// With marks the question is whether a homeomorphism takes marked edges to marked edges of the same orders;
+/// where these are whole numbers and both are hyperbolic, that is an isometry of orbifolds. A yes is an
+/// isomorphism of marked triangulations that moves reach which keep marks. A no is that the orders differ, or
+/// how they meet at vertices; the first homology of the orbifold's group or of its covers; or that the
+/// exteriors of the marked edges are not homeomorphic, by the above.
 Isometry isometry(const Compared& x, const Compared& y, const CanonicalOptions& options = {},
                   const Progress& progress = {});
 
