@@ -114,7 +114,7 @@ std::optional<IsometryAnswer> differ_in_group(const algebra::Presentation& x, co
     return marks_differ(IsometryProof::homology, "the first homology of the orbifolds' groups differs: " +
                                                      h_x.str() + " against " + h_y.str());
   constexpr int most_sheets = 6;
-  constexpr long long most_steps = 200'000;
+  constexpr long long most_steps = 50'000;
   for (int degree = 2; degree <= most_sheets; ++degree) {
     const auto covers_x = algebra::homology_of_covers(x, degree, most_steps, progress);
     const auto covers_y = algebra::homology_of_covers(y, degree, most_steps, progress);
@@ -147,8 +147,11 @@ bool agree(const MarkedTriangulation& x, const MarkedTriangulation& y, const cha
 /// Wanders from both by moves that keep marks, and looks for a triangulation that was met from either side.
 bool meet(const MarkedTriangulation& x, const MarkedTriangulation& y, std::uint64_t seed, Isometry& found,
           const Progress& progress) {
-  constexpr int walks = 150;
   constexpr int most_extra = 3;
+  constexpr int small =
+      20; // tetrahedra; of more, a walk takes a time that grows with the square of their number
+  const int largest = std::max({small, x.tri.size(), y.tri.size()});
+  const int walks = 10 + 150 * small * small / (largest * largest);
   std::array<std::map<std::string, MarkedTriangulation>, 2> met;
   SplitMix64 random(seed);
   for (int k = 0; k < walks; ++k)
@@ -187,7 +190,7 @@ std::optional<IsometryAnswer> differ_in_exteriors(const MarkedTriangulation& x, 
   const Triangulation exterior_y = exterior_of_marks(y, progress);
   CanonicalOptions how = options;
   how.marks.clear();
-  constexpr int most_attempts = 50;
+  constexpr int most_attempts = 20;
   how.attempts = std::min(how.attempts, most_attempts);
   const Isometry found = isometry({exterior_x, name_x}, {exterior_y, name_y}, how, progress);
   if (found.answer.verdict != Says::not_isometric) return std::nullopt;

@@ -87,6 +87,7 @@ struct DiagramOptions {
   std::string output;
   bool mirror = false;
   bool simplify = false;
+  bool handlebody = false;
 };
 
 constexpr std::size_t longest_title = 100;
@@ -94,7 +95,10 @@ constexpr std::size_t longest_title = 100;
 Result describe_diagram(const DiagramOptions& options, const Context& context) {
   diagram::Diagram diagram = read_diagram(options.input, context);
   if (options.mirror) diagram = mirrored(diagram);
-  if (options.simplify) diagram = diagram::simplified(diagram, context.progress);
+  if (options.handlebody)
+    diagram = diagram::simplified_handlebody(diagram, context.progress);
+  else if (options.simplify)
+    diagram = diagram::simplified(diagram, context.progress);
   const workshop::DiagramFacts found = workshop::facts(diagram);
   Result result;
   result.json = tree_of(found);
@@ -139,6 +143,10 @@ Run declare_diagram(OptionTable& table) {
   table.add("DIAGRAM", options->input, code_help).required();
   table.add("--mirror", options->mirror, "take the mirror image");
   table.add("--simplify", options->simplify, "look for a diagram of the same with fewer crossings");
+  table.add("--handlebody", options->handlebody,
+            "simplify the handlebody that the graph is the core of: edges may slide over one another, so "
+            "that the graph "
+            "may become another one");
   table.add("-o,--output", options->output, "write a drawing (.svg), or the planar diagram code")
       .output_file();
   return [options](const Context& context) { return describe_diagram(*options, context); };
