@@ -256,6 +256,15 @@ class OrbDrawings(InFolder):
 
 
 class Diagrams(InFolder):
+    def test_a_handlebody_is_simplified_where_its_graph_is_knotted(self):
+        arc = "X[1, 4, 2, 5] X[3, 6, 8, 7] X[5, 2, 6, 3] V[7, 9, 1] V[4, 9, 8]"  # an unknotting tunnel of the trefoil
+        self.assertEqual(run_json("diagram", arc, "--simplify")[1]["crossings"], 3)
+        status, found = run_json("diagram", arc, "--handlebody")
+        self.assertEqual((status, found["crossings"], found["vertices"]), (0, 0, 2))
+        output = self.path("slid.pd")
+        self.assertEqual(run("diagram", "hk6_2", "--handlebody", "-o", output).returncode, 0)
+        self.assertTrue(run_json("isometric", output, "hk6_2", "--pair")[1]["equivalent"])
+
     def test_facts(self):
         status, d = run_json("diagram", "V[1, 2, 3] V[3, 2, 1]")
         self.assertEqual(status, 0)
