@@ -26,7 +26,7 @@ using moves::MarkedTriangulation;
 using IsometryProof = IsometryAnswer::Proof;
 using Says = IsometryAnswer::Verdict;
 
-std::string order_text(double order) {
+std::string mark_order_text(double order) {
   return order == 0 ? "null" : format::to_text(order);
 }
 
@@ -57,12 +57,12 @@ GraphOrders graph_orders(const MarkedTriangulation& marked) {
     }
     if (ends.empty()) continue;
     std::vector<std::string> words;
-    for (const EdgeId e : ends) words.push_back(order_text(orders[e]));
+    for (const EdgeId e : ends) words.push_back(mark_order_text(orders[e]));
     std::sort(words.begin(), words.end());
     out.vertices.push_back(skeleton.link(v).str() + " with " + joined(words, ", "));
   }
   for (const EdgeId e : all<EdgeId>(skeleton.edge_count()))
-    if (orders[e] != 1 && parent[e.value] == e.value) out.edges.push_back(order_text(orders[e]));
+    if (orders[e] != 1 && parent[e.value] == e.value) out.edges.push_back(mark_order_text(orders[e]));
   std::sort(out.edges.begin(), out.edges.end());
   std::sort(out.vertices.begin(), out.vertices.end());
   return out;
@@ -230,7 +230,7 @@ bool agree_in_cells(const MarkedTriangulation& x, const MarkedTriangulation& y,
 
 std::string orders_text(const Marks& marks) {
   std::vector<std::string> words;
-  for (const EdgeMark& mark : marks) words.push_back(order_text(mark.order));
+  for (const EdgeMark& mark : marks) words.push_back(mark_order_text(mark.order));
   return "orders " + joined(words, ", ");
 }
 

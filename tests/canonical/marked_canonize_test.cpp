@@ -27,7 +27,7 @@ MarkedTriangulation graph(const std::string& code, const std::vector<double>& or
   return diagram::marked_exterior(marked);
 }
 
-MarkedCanonical cells_of(const MarkedTriangulation& marked) {
+MarkedCanonical colored_cells_of(const MarkedTriangulation& marked) {
   MarkedCanonical found = canonize_marked(marked.tri, marked.marks);
   INFO(found.why_not);
   REQUIRE(found.why_not.empty());
@@ -36,7 +36,7 @@ MarkedCanonical cells_of(const MarkedTriangulation& marked) {
 }
 
 std::string cells_text(const MarkedTriangulation& marked) {
-  return cells_of(marked).canonical.isometry_signature;
+  return colored_cells_of(marked).canonical.isometry_signature;
 }
 
 const char* const plane_k4 = "V[1, 3, 2] V[4, 5, 1] V[2, 6, 4] V[3, 5, 6]";
@@ -56,7 +56,7 @@ TEST_CASE("colored cells of the tetrahedron's graph are counted", "[marked-cells
   for (int k = 0; k < 64; ++k) {
     std::vector<double> orders;
     for (int e = 0; e < 6; ++e) orders.push_back((k >> e) % 2 == 0 ? 3 : 4);
-    const MarkedCanonical found = cells_of(graph(plane_k4, orders));
+    const MarkedCanonical found = colored_cells_of(graph(plane_k4, orders));
     CHECK(found.canonical.cells == std::vector<std::string>(2, "tetrahedron"));
     CHECK(found.volume == Approx(7.327724753418).margin(1e-10).epsilon(0));
     CHECK(48 % isometry_group(found.canonical).size() == 0);
@@ -67,9 +67,9 @@ TEST_CASE("colored cells of the tetrahedron's graph are counted", "[marked-cells
 
 TEST_CASE("colored cells know the symmetries of a theta curve", "[marked-cells]") {
   // `isometric --pair` finds that the group of (S^3, hk5_3) is D3; it permutes the edges.
-  CHECK(isometry_group(cells_of(graph(theta5, {0, 0, 0})).canonical).size() == 6);
-  CHECK(isometry_group(cells_of(graph(theta5, {3, 3, 2})).canonical).size() == 2);
-  CHECK(isometry_group(cells_of(graph(theta5, {2, 3, 4})).canonical).size() == 1);
+  CHECK(isometry_group(colored_cells_of(graph(theta5, {0, 0, 0})).canonical).size() == 6);
+  CHECK(isometry_group(colored_cells_of(graph(theta5, {3, 3, 2})).canonical).size() == 2);
+  CHECK(isometry_group(colored_cells_of(graph(theta5, {2, 3, 4})).canonical).size() == 1);
   CHECK(cells_text(graph(theta5, {2, 3, 4})) == cells_text(graph(theta5, {4, 2, 3})));
   CHECK(cells_text(graph(theta5, {2, 3, 4})) == cells_text(graph(theta5, {3, 2, 4})));
   CHECK(cells_text(graph(theta5, {2, 3, 4})) != cells_text(graph(theta5, {2, 3, 5})));
