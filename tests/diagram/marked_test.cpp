@@ -318,6 +318,22 @@ TEST_CASE("wrong drawings in Orb files", "[bad][marked]") {
             "5\n0 0 1 0\n1 2 3 0\n2 4 5 0\n3 0 2 0\n4 4 1 0\n\n2\n0 10 0 0 1 0.6 0.5\n1 20 0 0 2 0.3 0.5\n",
             {0})
             .find("genus") != std::string::npos);
+  // Whatever is cut off or spoilt, there is a diagram or one line that says why not.
+  SplitMix64 random(8);
+  const Curve curve = random_curve({{0, 1}, {0, 1}, {0, 1}}, 2, 2, random);
+  const std::string whole = orb_file({0, 3, 2}, drawing_of(curve, false));
+  REQUIRE(error_of([&] { (void)read_orb_diagram(whole, "f"); }).empty());
+  int refused = 0;
+  for (std::size_t k = 0; k < whole.size(); k += 3) {
+    std::string spoilt = whole;
+    spoilt[k] = static_cast<char>(32 + random.below(95));
+    for (const std::string& text : {whole.substr(0, k), spoilt}) {
+      const std::string message = error_of([&] { (void)read_orb_diagram(text, "f"); });
+      refused += message.empty() ? 0 : 1;
+      CHECK(message.find('\n') == std::string::npos);
+    }
+  }
+  CHECK(refused > 100);
   std::string contradicting = orb_file({0, 0}, plane_k4);
   contradicting.replace(contradicting.find("\n2 2 0 "), 7, "\n2 1 3 ");
   CHECK(error_of([&] { (void)read_orb_diagram(contradicting, "f"); }) ==
