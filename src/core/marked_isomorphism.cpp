@@ -28,6 +28,7 @@ std::string marks_text(const MarkedView& marked, const Isomorphism& labelling) {
   const Triangulation after = relabelled(marked.tri, labelling);
   const Skeleton skeleton(after);
   Marks moved;
+  moved.reserve(marked.marks.size());
   for (const EdgeMark& mark : marked.marks)
     moved.push_back({{labelling.tet[mark.edge.tet], image_of(labelling.perm[mark.edge.tet], mark.edge.edge)},
                      mark.order});

@@ -219,6 +219,7 @@ private:
                  " leave point " + std::to_string(p) + " in one direction");
     }
     std::vector<int> darts;
+    darts.reserve(ends.size());
     for (const End& e : ends) darts.push_back(e.dart);
     return darts;
   }

@@ -59,6 +59,7 @@ Tree meridians_tree(const Exterior& x) {
 
 std::string fates_text(const std::vector<diagram::Fate>& fates) {
   std::vector<std::string> words;
+  words.reserve(fates.size());
   for (const diagram::Fate& fate : fates)
     words.push_back(!fate        ? "drilled"
                     : *fate == 0 ? "null"

@@ -57,6 +57,7 @@ GraphOrders graph_orders(const MarkedTriangulation& marked) {
     }
     if (ends.empty()) continue;
     std::vector<std::string> words;
+    words.reserve(ends.size());
     for (const EdgeId e : ends) words.push_back(mark_order_text(orders[e]));
     std::sort(words.begin(), words.end());
     out.vertices.push_back(skeleton.link(v).str() + " with " + joined(words, ", "));
@@ -230,6 +231,7 @@ bool agree_in_cells(const MarkedTriangulation& x, const MarkedTriangulation& y,
 
 std::string orders_text(const Marks& marks) {
   std::vector<std::string> words;
+  words.reserve(marks.size());
   for (const EdgeMark& mark : marks) words.push_back(mark_order_text(mark.order));
   return "orders " + joined(words, ", ");
 }
