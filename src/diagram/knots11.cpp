@@ -8,12 +8,13 @@
 #include "tetrarch/diagram/read.hpp"
 
 #include <charconv>
+#include <cstddef>
 
 namespace tetrarch::diagram {
 namespace {
 
-constexpr int letters = 11;
-constexpr int step = letters + 1; // a blank behind each
+constexpr std::size_t letters = 11;
+constexpr std::size_t step = letters + 1; // a blank behind each
 
 /// a is 2, b is 4, ...; large letters are negative.
 constexpr std::string_view alternating =
@@ -110,7 +111,7 @@ std::optional<std::string> eleven_crossing_code(std::string_view name) {
   int number = 0;
   const auto [end, wrong] = std::from_chars(name.data(), name.data() + name.size(), number);
   if (wrong != std::errc() || end != name.data() + name.size() || number < 1 ||
-      number > static_cast<int>(table.size()) / step)
+      number > static_cast<int>(table.size() / step))
     return std::nullopt;
   return dt_text(table.substr(static_cast<std::size_t>(number - 1) * step, letters));
 }
