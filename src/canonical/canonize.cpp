@@ -4,6 +4,7 @@
 #include "tetrarch/canonical/flips.hpp"
 #include "tetrarch/canonical/hull.hpp"
 #include "tetrarch/core/error.hpp"
+#include "tetrarch/core/marked_isomorphism.hpp"
 #include "tetrarch/core/signature.hpp"
 #include "tetrarch/numeric/real50.hpp"
 
@@ -214,12 +215,13 @@ Canonical canonize(const Triangulation& tri, const Hyperbolization<double>& stru
 }
 
 std::vector<Isomorphism> isometry_group(const Canonical& canonical) {
-  return automorphisms(canonical.canonical_triangulation);
+  const Triangulation& tri = canonical.canonical_triangulation;
+  return marked_isomorphisms({tri, canonical.canonical_marks}, {tri, canonical.canonical_marks});
 }
 
 const char* to_string(IsometryAnswer::Proof proof) {
-  constexpr std::array<const char*, 8> names{"none",   "isomorphism", "boundary",  "homology",
-                                             "volume", "cells",       "structure", "covers"};
+  constexpr std::array<const char*, 9> names{"none",  "isomorphism", "boundary", "homology", "volume",
+                                             "cells", "structure",   "covers",   "marks"};
   return names[static_cast<std::size_t>(proof)];
 }
 
@@ -229,7 +231,8 @@ IsometryAnswer compare(const Canonical& a, const Canonical& b) {
   for (const Canonical* m : {&a, &b})
     if (m->outcome != Canonical::Outcome::canonical)
       return {Verdict::undecided, Proof::none, "no canonical decomposition was found within the budget", {}};
-  if (auto isometry = find_isomorphism(a.canonical_triangulation, b.canonical_triangulation))
+  if (auto isometry = find_marked_isomorphism({a.canonical_triangulation, a.canonical_marks},
+                                              {b.canonical_triangulation, b.canonical_marks}))
     return {Verdict::isometric, Proof::isomorphism, "the canonical triangulations are isomorphic",
             *std::move(isometry)};
   for (const Canonical* m : {&a, &b})

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "tetrarch/canonical/cells.hpp"
 
+#include "cells_with_marks.hpp"
+
 #include "tetrarch/core/error.hpp"
 #include "tetrarch/numeric/union_find.hpp"
 
@@ -18,8 +20,9 @@ constexpr int cell_center = 3;
 /// A side of a wall polygon, seen from inside its cell, is held by its edge with the wall to the right.
 class Coner {
 public:
-  Coner(const Triangulation& tri, const Skeleton& skeleton, const FlatFaces& flat)
-      : tri_(tri), skeleton_(skeleton), flat_(flat), walls_around_(skeleton.edge_count(), 0),
+  Coner(const Triangulation& tri, const Skeleton& skeleton, const FlatFaces& flat,
+        const Table<EdgeId, bool>& kept)
+      : tri_(tri), skeleton_(skeleton), flat_(flat), kept_(kept), walls_around_(skeleton.edge_count(), 0),
         small_(static_cast<std::size_t>(tri.size()) * 16, -1) {
     for (const EdgeId e : all<EdgeId>(skeleton.edge_count()))
       for (const Walk& w : skeleton.around(e)) walls_around_[e] += is_wall(w.left_face());
@@ -55,7 +58,10 @@ private:
     return {t, Perm4(ends[0], ends[1], f, k)};
   }
   bool is_wall(TetFace f) const { return !flat_[f.tet][f.face]; }
-  bool is_side(const Walk& w) const { return walls_around_[skeleton_.edge(w.edge())] > 2; }
+  bool is_side(const Walk& w) const {
+    const EdgeId e = skeleton_.edge(w.edge());
+    return walls_around_[e] > 2 || kept_[e];
+  }
   int small(const Walk& w) const { return small_[slot(w.tet, w.hold[2], w.hold[3])]; }
   /// The small tetrahedron's corner that lies at the walk's start.
   static int start_corner(const Walk& w) { return w.from() < w.to() ? 0 : 1; }
@@ -141,6 +147,7 @@ private:
   const Triangulation& tri_;
   const Skeleton& skeleton_;
   const FlatFaces& flat_;
+  const Table<EdgeId, bool>& kept_; ///< sides, however many walls are around
   Table<EdgeId, int> walls_around_;
   std::vector<int> small_; ///< by (tetrahedron, wall face, vertex opposite the side); -1: no side
 };
@@ -161,9 +168,14 @@ std::string Cell::name() const {
 
 CellDecomposition cell_decomposition(const Triangulation& tri, const Skeleton& skeleton,
                                      const FlatFaces& flat) {
+  return cell_decomposition(tri, skeleton, flat, Table<EdgeId, bool>(skeleton.edge_count(), false));
+}
+
+CellDecomposition cell_decomposition(const Triangulation& tri, const Skeleton& skeleton,
+                                     const FlatFaces& flat, const Table<EdgeId, bool>& kept) {
   skeleton.require_current(tri);
   if (skeleton.has_boundary_faces()) throw PreconditionError("a cell decomposition needs a closed gluing");
-  return Coner(tri, skeleton, flat).run();
+  return Coner(tri, skeleton, flat, kept).run();
 }
 
 } // namespace tetrarch::canonical

@@ -9,6 +9,7 @@
 #include "readers.hpp"
 
 #include "tetrarch/diagram/moves.hpp"
+#include "tetrarch/diagram/read.hpp"
 
 #include <array>
 #include <string_view>
@@ -313,7 +314,10 @@ std::optional<std::vector<int>> rolfsen_braid(std::string_view name) {
 
 std::optional<Diagram> named_diagram(std::string_view name) {
   const std::optional<std::vector<int>> letters = rolfsen_braid(name);
-  if (!letters) return tabulated_diagram(name);
+  if (!letters) {
+    const std::optional<std::string> code = eleven_crossing_code(name);
+    return code ? read_diagram(*code, std::string(name)) : tabulated_diagram(name);
+  }
   return without_points(std::move(closed_braid(*letters, 1)).finished());
 }
 

@@ -6,7 +6,9 @@
 #include "tetrarch/core/skeleton.hpp"
 #include "tetrarch/format/text.hpp"
 
+#include <algorithm>
 #include <charconv>
+#include <map>
 
 namespace tetrarch::format {
 namespace {
@@ -37,6 +39,20 @@ public:
     return document;
   }
 
+  /// After `read`.
+  std::optional<OrbDrawing> drawing() {
+    // Of the lines before it each has the number of an edge and more.
+    while (!in_.at_end()) {
+      const std::string_view line = in_.rest_of_line();
+      if (std::any_of(line.begin(), line.end(), is_space)) continue;
+      const std::optional<std::int64_t> points = parse_integer(line);
+      if (!points || *points < 0) in_.fail_at(line, "the number of points of the drawing");
+      if (*points == 0) return std::nullopt;
+      return drawing_of(*points);
+    }
+    return std::nullopt;
+  }
+
 private:
   std::string read_head() {
     const std::string_view header = in_.at_end() ? in_.peek() : in_.rest_of_line();
@@ -58,11 +74,13 @@ private:
   void read_edge(std::string_view line) {
     Tokens tokens(line);
     integer(tokens.next(), static_cast<std::int64_t>(start_.size()), "the number of an edge");
-    integer(tokens.next(), {}, "the number of a singular curve");
+    const std::string_view curve = tokens.next();
+    integer(curve, {}, "the number of a singular curve");
     const std::string_view order = tokens.next();
     const std::optional<double> value = parse_double(order);
     if (!value) fail(order, "a singular order");
     if (!is_edge_order(*value)) fail(order, "a singular order: 0, 1 or a number above 1");
+    note_order(curve, *value);
     for (int i = 0; vertices_known_ && i < 2; ++i) integer(tokens.next(), {}, "the number of a vertex");
     std::string_view token = tokens.next();
     if (token.empty()) fail(token, "a tetrahedron at the edge, like 2xv");
@@ -72,6 +90,54 @@ private:
     if (const Step& s = steps_[first]; *value != 1)
       marks_.push_back({{static_cast<int>(s.tet), opposite_edge(edge_number[s.out][s.in])}, *value});
     start_.push_back(steps_.size());
+  }
+
+  void note_order(std::string_view token, double order) {
+    const std::int64_t curve = parse_integer(token).value();
+    if (curve < 0) fail(token, "the number of a singular curve, 0 or more");
+    if (curve == 0) return;
+    const auto [at, fresh] = order_of_curve_.emplace(curve, order);
+    if (!fresh && at->second != order) fail(token, "a curve of one order, " + to_text(at->second));
+  }
+
+  OrbDrawing drawing_of(std::int64_t points) {
+    constexpr std::int64_t far = 1'000'000;
+    constexpr std::int64_t most = 1'000'000;
+    constexpr std::int64_t most_segments = 5'000;
+    OrbDrawing out;
+    for (std::int64_t k = 0; k < points; ++k) {
+      in_.integer("the number of a point, " + std::to_string(k), k, k);
+      const auto x = static_cast<int>(in_.integer("the x of a point", -far, far));
+      out.points.push_back({x, static_cast<int>(in_.integer("the y of a point", -far, far))});
+    }
+    // Whoever makes a diagram of them looks at all pairs.
+    const std::int64_t segments = in_.integer("the number of segments of the drawing", 0, most_segments);
+    for (std::int64_t k = 0; k < segments; ++k) {
+      const int line = in_.line();
+      in_.integer("the number of a segment, " + std::to_string(k), k, k);
+      const auto from = static_cast<int>(in_.integer("a point of the drawing", 0, points - 1));
+      const std::string_view end = in_.peek();
+      const auto to = static_cast<int>(in_.integer("a point of the drawing", 0, points - 1));
+      if (to == from) in_.fail_at(end, "another point than that where the segment begins");
+      const bool drilled = in_.integer("1 of a segment that is drilled, or 0", 0, 1) == 1;
+      out.segments.push_back({from, to, drilled, line});
+    }
+    const std::int64_t crossings = in_.integer("the number of crossings of the drawing", 0, most);
+    for (std::int64_t k = 0; k < crossings; ++k) {
+      OrbDrawing::Crossing crossing;
+      crossing.line = in_.line();
+      in_.integer("the number of a crossing, " + std::to_string(k), k, k);
+      in_.number("the x of a crossing");
+      in_.number("the y of a crossing");
+      crossing.over = static_cast<int>(in_.integer("a segment of the drawing", 0, segments - 1));
+      crossing.under = static_cast<int>(in_.integer("a segment of the drawing", 0, segments - 1));
+      crossing.along_over = in_.number("a number from 0 to 1");
+      crossing.along_under = in_.number("a number from 0 to 1");
+      out.crossings.push_back(crossing);
+    }
+    // Numbers that no edge has are left out: whoever needs all of them counts.
+    for (const auto& [curve, order] : order_of_curve_) out.orders.push_back(order);
+    return out;
   }
 
   /// The tokens of a line, then empty ones that stand at its end.
@@ -159,12 +225,19 @@ private:
   std::vector<Step> steps_;
   GluingTable table_;
   Marks marks_;
+  std::map<std::int64_t, double> order_of_curve_;
 };
 
 } // namespace
 
 Document read_orb(std::string_view text, const std::string& source) {
   return OrbReader(text, source).read();
+}
+
+std::optional<OrbDrawing> read_orb_drawing(std::string_view text, const std::string& source) {
+  OrbReader reader(text, source);
+  reader.read();
+  return reader.drawing();
 }
 
 } // namespace tetrarch::format

@@ -2,6 +2,7 @@
 #include "drilling.hpp"
 
 #include "tetrarch/moves/drill.hpp"
+#include "tetrarch/moves/marked.hpp"
 #include "tetrarch/moves/monodromy.hpp"
 
 #include <algorithm>
@@ -34,6 +35,28 @@ public:
         if (g.tet >= 0 && out.is_boundary({number_[t], f})) out.glue({number_[t], f}, number_[g.tet], g.perm);
       }
     return out;
+  }
+
+  /// The marks of the edges that stay, on the rest, if it is legal; nothing where two would become one.
+  std::optional<Marks> marks(const EdgeOrders& orders) const {
+    Forest forest(skeleton_.edge_count());
+    join_pressed_edges(forest);
+    std::vector<double> order(static_cast<std::size_t>(skeleton_.edge_count()), 1.0); // of each root
+    for (const EdgeId e : all<EdgeId>(skeleton_.edge_count())) {
+      if (orders[e] == 1 || edges_[e]) continue;
+      double& found = order[forest.root(e.value)];
+      if (found != 1) return std::nullopt;
+      found = orders[e];
+    }
+    Marks out;
+    for (int t = 0; t < tri_.size(); ++t)
+      for (int e = 0; number_[t] >= 0 && e < 6; ++e) {
+        double& left = order[forest.root(skeleton_.edge(TetEdge{t, e}).value)];
+        if (left != 1) out.push_back({{number_[t], e}, left});
+        left = 1;
+      }
+    const bool all_told = std::all_of(order.begin(), order.end(), [](double n) { return n == 1; });
+    return all_told ? std::optional(std::move(out)) : std::nullopt;
   }
 
   /// The words of its crossings: who passes a flat tetrahedron at an end of its edge travels along this.
@@ -86,6 +109,12 @@ private:
       if (edges_[e] && skeleton_.is_reversed(e)) return Obstacle::reversed_edge;
       if (skeleton_.is_boundary(e) || skeleton_.is_reversed(e)) forest.join(e.value, forest.boundary());
     }
+    if (!join_pressed_edges(forest)) return Obstacle::edges_form_cycle;
+    return std::nullopt;
+  }
+
+  /// False: some were one already.
+  bool join_pressed_edges(Forest& forest) const {
     for (const FaceId f : all<FaceId>(skeleton_.face_count())) {
       const auto [t, face] = skeleton_.preimages(f).front();
       const int axis = axis_[t];
@@ -94,9 +123,9 @@ private:
       const int c = 6 - a - b - face;
       if (!forest.join(skeleton_.edge(TetEdge{t, edge_number[a][c]}).value,
                        skeleton_.edge(TetEdge{t, edge_number[b][c]}).value))
-        return Obstacle::edges_form_cycle;
+        return false;
     }
-    return std::nullopt;
+    return true;
   }
 
   /// A tetrahedron on an edge of K is pressed to a triangle: the two faces off the edge are identified.
@@ -154,6 +183,19 @@ std::variant<Triangulation, Obstacle> crushed(const Triangulation& tri, const Sk
   Crushing crushing(tri, skeleton, edges);
   if (const MaybeObstacle why_not = crushing.why_not()) return *why_not;
   return crushing.glued();
+}
+
+std::variant<MarkedTriangulation, Obstacle> crushed(const Triangulation& tri, const Skeleton& skeleton,
+                                                    const EdgeOrders& orders,
+                                                    const Table<EdgeId, bool>& edges) {
+  require_fit(tri, skeleton, edges);
+  Crushing crushing(tri, skeleton, edges);
+  if (const MaybeObstacle why_not = crushing.why_not()) return *why_not;
+  MarkedTriangulation out{crushing.glued(), {}};
+  std::optional<Marks> marks = crushing.marks(orders);
+  if (!marks) return Obstacle::edges_form_cycle;
+  out.marks = *std::move(marks);
+  return out;
 }
 
 std::variant<Crushed, Obstacle> crushed_with_monodromy(const Triangulation& tri, const Skeleton& skeleton,

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "tetrarch/workshop/canonical.hpp"
 
+#include "marked_isometry.hpp"
+#include "orbifold_rows.hpp"
+
 #include "tetrarch/algebra/covers.hpp"
 #include "tetrarch/algebra/homology.hpp"
 #include "tetrarch/canonical/isometries.hpp"
@@ -19,6 +22,7 @@
 #include <array>
 #include <map>
 #include <numeric>
+#include <string_view>
 
 namespace tetrarch::workshop {
 namespace {
@@ -281,6 +285,11 @@ Verdict Isometry::verdict() const {
 }
 
 Cells cells(const Triangulation& tri, const CanonicalOptions& options, const Progress& progress) {
+  if (!options.marks.empty()) {
+    Cells found = cells_with_marks(tri, options, progress);
+    if (is_found(found)) name_isometries(found, options.list_isometries);
+    return found;
+  }
   const Boundary boundary = boundary_of(tri);
   const Searched way = search_for(tri, options, progress);
   Cells found = cells_in(way.search, options, progress);
@@ -318,6 +327,8 @@ Rows rows_of(const Cells& found) {
             {"tetrahedra", std::to_string(c.triangulation.size())},
             {"smallest tilt", scientific(c.smallest_tilt, 3)},
             {"volume", fixed(found.volume, 12)}};
+  if (!c.marks.empty())
+    rows.emplace_back("marks", orders_text(c.marks) + "; cells and volume are those of parabolic meridians");
   if (found.filled_spheres > 0) rows.emplace_back("filled spheres", filled_text(found.filled_spheres));
   return rows;
 }
@@ -326,11 +337,13 @@ format::Document document_of(const Cells& found) {
   if (!found.canonical) throw PreconditionError("document_of: there are no cells");
   format::Document document = format::document_of(found.canonical->triangulation);
   document.canonical = cells_of(*found.canonical);
+  document.marks = found.canonical->marks;
   return document;
 }
 
 Isometry isometry(const Compared& x, const Compared& y, const CanonicalOptions& options,
                   const Progress& progress) {
+  if (!x.marks.empty() || !y.marks.empty()) return isometry_with_marks(x, y, options, progress);
   const Boundary boundary_x = boundary_of(x.tri);
   const Boundary boundary_y = boundary_of(y.tri);
   Isometry found{
@@ -389,7 +402,7 @@ std::string text_of(const Isometry& found) {
   if (found.filled_spheres > 0)
     text += "filled spheres: " + std::to_string(found.filled_spheres) +
             " in each; the isometry is one of the filled manifolds\n";
-  const bool cells = found.between != given_triangulations && found.between != simplified_triangulations;
+  const bool cells = std::string_view(found.between) == "canonical triangulations";
   text += std::string(cells ? "canonical tetrahedra of " : "tetrahedra of ") + found.x + " go to those of " +
           found.y + ":\n";
   const Isomorphism& isometry = found.answer.isometry;
@@ -457,7 +470,13 @@ const FieldList<Cells>& fields_of<Cells>() {
       {{"smallest_tilt", "", "of the faces between cells: how far the cells are from other ones"},
        [](C c) -> Tree { return c.canonical->smallest_tilt; },
        is_found},
-      {{"volume", "curvature -1", "the volume"}, [](C c) -> Tree { return c.volume; }, is_found},
+      {{"volume", "curvature -1", "the volume; with marks that of the structure with parabolic meridians"},
+       [](C c) -> Tree { return c.volume; },
+       is_found},
+      {{"marks", "",
+        "of each marked edge of the canonical triangulation a tetrahedron, its edge, and the order"},
+       [](C c) -> Tree { return marks_tree(c.canonical->canonical_marks); },
+       [](C c) { return is_found(c) && !c.canonical->marks.empty(); }},
       {{"filled_spheres", "", "number of boundary spheres that were filled with balls"},
        [](C c) -> Tree { return c.filled_spheres; }}};
   return fields;

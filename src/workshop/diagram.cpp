@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "tetrarch/workshop/diagram.hpp"
 
+#include "orbifold_rows.hpp"
 #include "with_info.hpp"
 
 #include "tetrarch/core/error.hpp"
 #include "tetrarch/diagram/curve.hpp"
 #include "tetrarch/diagram/exterior.hpp"
+#include "tetrarch/diagram/marked.hpp"
 #include "tetrarch/diagram/names.hpp"
 #include "tetrarch/diagram/read.hpp"
 #include "tetrarch/diagram/write.hpp"
+#include "tetrarch/format/orb.hpp"
 #include "tetrarch/format/text.hpp"
 #include "tetrarch/hyperbolic/search.hpp"
 #include "tetrarch/workshop/text.hpp"
@@ -54,6 +57,23 @@ Tree meridians_tree(const Exterior& x) {
   return list;
 }
 
+std::string fates_text(const std::vector<diagram::Fate>& fates) {
+  std::vector<std::string> words;
+  words.reserve(fates.size());
+  for (const diagram::Fate& fate : fates)
+    words.push_back(!fate        ? "drilled"
+                    : *fate == 0 ? "null"
+                    : *fate == 1 ? "order 1"
+                                 : "order " + format::to_text(*fate));
+  return joined(words, ", ");
+}
+
+Tree fates_tree(const Exterior& x) {
+  Tree list = Tree::array();
+  for (const diagram::Fate& fate : x.fates) list.push_back(fate ? Tree(*fate) : Tree());
+  return list;
+}
+
 Tree wirtinger_tree(const Exterior& x) {
   const algebra::Presentation& group = x.wirtinger.group;
   Tree tree{{"generators", Tree::array()}, {"relators", Tree::array()}};
@@ -66,25 +86,51 @@ Tree wirtinger_tree(const Exterior& x) {
 
 } // namespace
 
-diagram::Diagram open_diagram(const std::string& what, const OpenOptions& options, std::uint64_t seed,
-                              const Progress& progress) {
-  if (diagram::looks_like_diagram(what)) return diagram::read_diagram(what, "the code given");
-  if (!is_file(what, options.samples))
-    if (std::optional<diagram::Diagram> named = diagram::named_diagram(what)) return std::move(*named);
-  if (!is_file(what, options.samples))
-    throw InputError(in_quotes(what) + " is no file, no name of a knot, link or graph and no code of a "
-                                       "diagram (expected embedding, PD, X[...], "
-                                       "braid, DT, Gauss or Conway)");
+namespace {
+
+constexpr std::string_view codes = "expected embedding, PD, X[...], braid, DT, Gauss or Conway";
+
+/// `drilled`: all edges of an Orb file's graph.
+diagram::MarkedDiagram opened_diagram(const std::string& what, const OpenOptions& options, bool drilled,
+                                      std::uint64_t seed, const Progress& progress) {
+  using diagram::all_drilled;
+  if (diagram::looks_like_diagram(what)) return all_drilled(diagram::read_diagram(what, "the code given"));
+  if (!is_file(what, options.samples)) {
+    if (std::optional<diagram::Diagram> named = diagram::named_diagram(what))
+      return all_drilled(std::move(*named));
+    throw InputError(in_quotes(what) +
+                     " is no file, no name of a knot, link or graph and no code of a "
+                     "diagram (" +
+                     std::string(codes) + ")");
+  }
   const std::string source = format::source_name(what);
   const std::string text = format::read_file(located(what, options.samples));
+  if (text.starts_with(format::orb_header)) {
+    if (std::optional<diagram::MarkedDiagram> drawn = diagram::read_orb_diagram(text, source, drilled))
+      return std::move(*drawn);
+    throw InputError({source, 0}, "the file has a triangulation and no drawing of a graph");
+  }
   if (diagram::looks_like_diagram(text) || !diagram::looks_like_curve(text))
-    return diagram::read_diagram(text, source);
+    return all_drilled(diagram::read_diagram(text, source));
   const diagram::Curve curve = diagram::read_curve(text, source);
   // Whether it meets itself is asked of the curve as it is given.
-  const diagram::Diagram whole = diagram::project(curve, source, {seed, 1}, progress);
+  diagram::Diagram whole = diagram::project(curve, source, {seed, 1}, progress);
   const diagram::Curve shorter = diagram::reduced(curve, progress);
   diagram::Diagram small = diagram::project(shorter, source, {seed}, progress);
-  return diagram::crossing_count(small) <= diagram::crossing_count(whole) ? small : whole;
+  return all_drilled(diagram::crossing_count(small) <= diagram::crossing_count(whole) ? std::move(small)
+                                                                                      : std::move(whole));
+}
+
+} // namespace
+
+diagram::Diagram open_diagram(const std::string& what, const OpenOptions& options, std::uint64_t seed,
+                              const Progress& progress) {
+  return opened_diagram(what, options, true, seed, progress).diagram;
+}
+
+diagram::MarkedDiagram open_marked_diagram(const std::string& what, const OpenOptions& options,
+                                           std::uint64_t seed, const Progress& progress) {
+  return opened_diagram(what, options, false, seed, progress);
 }
 
 DiagramFacts facts(const diagram::Diagram& diagram) {
@@ -114,26 +160,51 @@ Rows rows_of(const DiagramFacts& f) {
   return rows;
 }
 
-/// Components with one vertex more than edges.
 int tree_count(const diagram::Diagram& diagram) {
+  return tree_count(diagram::all_drilled(diagram));
+}
+
+/// Components with one vertex more than edges.
+int tree_count(const diagram::MarkedDiagram& marked) {
+  const diagram::Diagram& diagram = marked.diagram;
   const diagram::Classes component = diagram::components(diagram);
   std::vector<int> twice_euler(static_cast<std::size_t>(component.count), 0);
   for (const diagram::Node& node : diagram.nodes())
     if (!node.crossing)
       twice_euler[component.of[node.darts.front()]] += 2 - static_cast<int>(node.darts.size());
+  for (int d = 0; d < diagram.dart_count(); ++d)
+    if (marked.fates[d]) twice_euler[component.of[d]] = 0;
   return static_cast<int>(std::count(twice_euler.begin(), twice_euler.end(), 2));
 }
 
 Exterior exterior(const diagram::Diagram& diagram, const ExteriorOptions& options, const Progress& progress) {
+  return exterior(diagram::all_drilled(diagram), options, progress);
+}
+
+Exterior exterior(const diagram::MarkedDiagram& marked, const ExteriorOptions& options,
+                  const Progress& progress) {
+  const diagram::Diagram& diagram = marked.diagram;
+  const bool keeps = diagram::keeps_edges(marked);
   if (options.doubled && !has_vertices(diagram))
     throw InputError("there is no vertex of valence 3 or more, along whose sphere a double could be glued");
+  if (keeps && (options.doubled || options.parabolic))
+    throw InputError(
+        "a double, or the structure with parabolic meridians, is that of a graph all of whose edges "
+        "are drilled; here some stay, with orders of their own");
   Exterior x;
   x.diagram = facts(diagram);
   x.wirtinger = diagram::wirtinger(diagram);
   x.is_double = options.doubled;
-  x.filled_spheres = tree_count(diagram);
-  x.triangulation = options.doubled ? diagram::doubled_exterior(diagram, {options.seed}, progress)
-                                    : diagram::exterior(diagram, {options.seed}, progress);
+  x.filled_spheres = tree_count(marked);
+  if (keeps) {
+    moves::MarkedTriangulation found = diagram::marked_exterior(marked, {options.seed}, progress);
+    x.fates = diagram::fates_of_edges(marked);
+    x.triangulation = std::move(found.tri);
+    x.marks = std::move(found.marks);
+  } else {
+    x.triangulation = options.doubled ? diagram::doubled_exterior(diagram, {options.seed}, progress)
+                                      : diagram::exterior(diagram, {options.seed}, progress);
+  }
   if (options.parabolic) x.parabolic = parabolic(diagram, x, options, progress);
   x.info = info(x.triangulation, options.name, false, progress);
   return x;
@@ -144,6 +215,7 @@ Rows rows_of(const Exterior& x, const std::string& signature) {
             {"components", std::to_string(x.diagram.components)}};
   const Rows info = rows_of(x.info, signature);
   rows.insert(rows.end(), info.begin(), info.end());
+  if (!x.fates.empty()) rows.emplace_back("edges of graph", fates_text(x.fates));
   if (x.parabolic)
     rows.insert(rows.end(), {{"parabolic", x.parabolic->found ? "volume " + fixed(x.parabolic->volume, 12)
                                                               : std::string("no structure found")},
@@ -182,6 +254,15 @@ const FieldList<Exterior>& fields_of<Exterior>() {
        [](X x) -> Tree { return x.diagram.components; }},
       {{"meridians", "", "of each edge of the graph its meridian, a word in the group \"wirtinger\""},
        meridians_tree},
+      {{"orders", "",
+        "of each edge of the graph its order (0: its meridian is parabolic); null: it is drilled. An edge "
+        "ends "
+        "where it begins to be drilled"},
+       fates_tree,
+       [](X x) { return !x.fates.empty(); }},
+      {{"marks", "", "edges of the triangulation that stay: tetrahedron, edge, order"},
+       [](X x) { return marks_tree(x.marks); },
+       [](X x) { return !x.fates.empty(); }},
       {{"filled_spheres", "", "trees among the components, the ball round each of which was filled in again"},
        [](X x) -> Tree { return x.filled_spheres; },
        [](X x) { return x.filled_spheres > 0; }},

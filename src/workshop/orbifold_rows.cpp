@@ -122,9 +122,9 @@ Tree vertices_tree(const hyperbolic::OrbifoldSearch& found, const Skeleton& skel
   return list;
 }
 
-Tree marks_tree(const hyperbolic::OrbifoldSearch& found) {
+Tree marks_tree(const Marks& marks) {
   Tree list = Tree::array();
-  for (const EdgeMark& mark : found.marks) {
+  for (const EdgeMark& mark : marks) {
     const auto [i, j] = edge_vertex[mark.edge.edge];
     list.push_back(Tree{mark.edge.tet, std::to_string(i) + std::to_string(j), mark.order});
   }

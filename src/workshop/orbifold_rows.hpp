@@ -19,6 +19,6 @@ bool is_worth_trying(const Triangulation& tri);
 void add_orbifold(const hyperbolic::OrbifoldSearch& found, const Skeleton& skeleton, Rows& rows);
 
 Tree vertices_tree(const hyperbolic::OrbifoldSearch& found, const Skeleton& skeleton);
-Tree marks_tree(const hyperbolic::OrbifoldSearch& found);
+Tree marks_tree(const Marks& marks);
 
 } // namespace tetrarch::workshop

@@ -390,7 +390,7 @@ const FieldList<Structure>& fields_of<Structure>() {
        [](S s) -> Tree { return to_string(s.orbifold->structure.method); },
        has_orbifold},
       {{"marks", "", "of each marked edge a tetrahedron, its edge, and the order; 0: parabolic"},
-       [](S s) -> Tree { return marks_tree(*s.orbifold); },
+       [](S s) -> Tree { return marks_tree(s.orbifold->marks); },
        has_marks},
       {{"vertices", "",
         "of each vertex its type, its link, and the link's Euler characteristic with the marks"},

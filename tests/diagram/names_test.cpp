@@ -5,10 +5,12 @@
 #include "tetrarch/diagram/exterior.hpp"
 #include "tetrarch/diagram/moves.hpp"
 #include "tetrarch/diagram/read.hpp"
+#include "tetrarch/diagram/wirtinger.hpp"
 #include "tetrarch/hyperbolic/search.hpp"
 #include "tetrarch/identify/identify.hpp"
 
 #include <catch2/catch.hpp>
+#include <cmath>
 #include <fstream>
 #include <map>
 #include <set>
@@ -16,6 +18,43 @@
 
 using namespace tetrarch;
 using namespace tetrarch::diagram;
+
+namespace {
+
+/// The order of the first homology of the double branched cover: colorings of the strands by the numbers of a
+/// dihedral group, where the letters of a relator count +1 and -1 by turns (Fox). One row and one column are
+/// left out.
+double determinant_of(const Diagram& knot) {
+  const algebra::Presentation group = wirtinger(knot).group;
+  const std::size_t n = static_cast<std::size_t>(group.generators) - 1;
+  std::vector<std::vector<double>> m;
+  for (std::size_t r = 0; r + 1 < group.relators.size(); ++r) {
+    std::vector<double> row(n + 1, 0.0);
+    double sign = 1;
+    for (const int letter : group.relators[r]) {
+      row[static_cast<std::size_t>(std::abs(letter)) - 1] += sign;
+      sign = -sign;
+    }
+    row.pop_back();
+    m.push_back(row);
+  }
+  REQUIRE(m.size() == n);
+  double product = 1;
+  for (std::size_t k = 0; k < n; ++k) {
+    std::size_t best = k;
+    for (std::size_t r = k; r < n; ++r)
+      if (std::abs(m[r][k]) > std::abs(m[best][k])) best = r;
+    std::swap(m[k], m[best]);
+    product *= m[k][k];
+    for (std::size_t r = k + 1; r < n && m[k][k] != 0; ++r) {
+      const double factor = m[r][k] / m[k][k];
+      for (std::size_t c = k; c < n; ++c) m[r][c] -= factor * m[k][c];
+    }
+  }
+  return std::abs(product);
+}
+
+} // namespace
 
 TEST_CASE("volumes of the knots to seven crossings", "[names]") {
   // Adams, Hildebrand and Weeks, "Hyperbolic invariants of knots and links" (1991), to the digits that
@@ -48,6 +87,50 @@ TEST_CASE("the knots of the table are knots, and all differ", "[names]") {
     INFO("is " << at->second);
     CHECK(fresh);
   }
+}
+
+TEST_CASE("the knots of eleven crossings have the known determinants and volumes", "[names]") {
+  std::ifstream file(TETRARCH_SOURCE_DIR "/tests/data/knots11.txt");
+  REQUIRE(file);
+  std::vector<std::string> names;
+  for (std::string line; std::getline(file, line);) {
+    if (line.starts_with('#')) continue;
+    std::istringstream fields(line);
+    std::string name;
+    std::string determinant;
+    std::string volume;
+    std::getline(std::getline(std::getline(fields, name, '|'), determinant, '|'), volume);
+    INFO(name);
+    names.push_back(name);
+    const Diagram knot = *named_diagram(name);
+    CHECK(crossing_count(knot) == 11);
+    CHECK(components(knot).count == 1);
+    CHECK(determinant_of(knot) == Approx(std::stod(determinant)).margin(1e-6).epsilon(0));
+    const auto found = hyperbolic::find_structure(exterior(knot), {});
+    const bool hyperbolic = found.structure.outcome == hyperbolic::Outcome::geometric;
+    CHECK(hyperbolic == (volume != "-")); // K11a367 is the torus knot (2, 11)
+    if (hyperbolic) CHECK(found.structure.volume == Approx(std::stod(volume)).margin(6e-5).epsilon(0));
+  }
+  CHECK(names == eleven_crossing_names());
+  CHECK(names.size() == 552);
+  for (const char* name :
+       {"K11a0", "K11a368", "K11n186", "K11b1", "K11a", "K11a1x", "11n_", "K12a1", "K11a-1"})
+    CHECK_FALSE(named_diagram(name));
+}
+
+TEST_CASE("Conway's knot and that of Kinoshita and Terasaka", "[names]") {
+  // Mutants, of one volume and with Alexander polynomial 1. Braids: SageMath's documentation of
+  // Braid.jones_polynomial, which names 11n34 and 11n42 so.
+  const auto signature_of = [](const std::string& what) {
+    const std::optional<Diagram> named = named_diagram(what);
+    return identify::identify(exterior(named ? *named : read_diagram(what, "test"))).isometry_signature;
+  };
+  const std::string conway = signature_of("K11n34");
+  const std::string terasaka = signature_of("11n_42");
+  CHECK_FALSE(conway.empty());
+  CHECK(conway != terasaka);
+  CHECK(conway == signature_of("braid 1 1 2 -3 2 -3 1 -2 -2 -3 -3"));
+  CHECK(terasaka == signature_of("braid 1 -2 3 -2 3 -2 -2 -1 2 -3 -3 2 2"));
 }
 
 TEST_CASE("links by name are those of Regina's kernel", "[names]") {

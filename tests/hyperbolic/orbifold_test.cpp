@@ -76,8 +76,8 @@ std::string orb(const std::string& edges) {
   return "% orb\nname\nSolutionType not_attempted\nvertices_known\n\n" + edges;
 }
 
-// Lines of edges of Orb's example files 1_1^2.20, 1_1^2.1 and honours3. The first two are one orbifold; Orb
-// calls the second partially flat and the third not geometric.
+// Lines of edges of Orb's example files 1_1^2.20, 1_1^2.1 and honours3. The first two have one volume (their
+// orders differ: 2, 2, 3 and 2, 3, 4); Orb calls the second partially flat and the third not geometric.
 const char* const positive = "  1  3 2.000  2  2  2xv  1vw  3xv\n"
                              "  2  1 3.000  1  1  4wv\n"
                              "  3  0 1.000  2  1  1xu  4vu  4uw  1vx  3wv\n"

@@ -124,7 +124,147 @@ class Exteriors(InFolder):
         self.assertIn("line", json.loads(run("exterior", self.path("bad", "braid 1\n2 y\n"), "--json").stderr)["error"])
 
 
+def orb_file(orders, points, segments, crossings, drilled=0):
+    """A file as Orb writes it: the complete graph on four vertices, its first curves with these orders, and a drawing."""
+    cycles = ("1wx  2wu", "1vx  2wx", "1vw  2ux", "1ux  2wv", "1uw  2uv", "1uv  2xv")
+    lines = [f"  {k + 1}  {k + 1 if k < len(orders) else 0} {orders[k] if k < len(orders) else 1}  {cycle}"
+             for k, cycle in enumerate(cycles)]
+    drawing = [f"{len(points)}", *(f"{k}\t{x}\t{y}" for k, (x, y) in enumerate(points)), "",
+               f"{len(segments)}", *(f"{k}\t{a}\t{b}\t{drilled}" for k, (a, b) in enumerate(segments)), "",
+               f"{len(crossings)}", *(f"{k}\t0\t0\t{a}\t{b}\t{u}\t{v}" for k, (a, b, u, v) in enumerate(crossings))]
+    return "\n".join(("% orb", "own", "SolutionType geometric_solution", "", *lines, "", "  1  -1.0  1.0  1.0", "",
+                      *drawing, ""))
+
+
+def crossings_of(polygon):
+    """Of a closed polygon in space, seen from far up the third axis."""
+    n = len(polygon)
+    found = []
+    for s in range(n):
+        for t in range(s + 2, n - (s == 0)):
+            a, b, c, d = polygon[s], polygon[(s + 1) % n], polygon[t], polygon[(t + 1) % n]
+            det = (b[0] - a[0]) * (d[1] - c[1]) - (b[1] - a[1]) * (d[0] - c[0])
+            if det == 0:
+                continue
+            u = ((c[0] - a[0]) * (d[1] - c[1]) - (c[1] - a[1]) * (d[0] - c[0])) / det
+            v = ((c[0] - a[0]) * (b[1] - a[1]) - (c[1] - a[1]) * (b[0] - a[0])) / det
+            if 0 <= u <= 1 and 0 <= v <= 1:
+                above = a[2] + u * (b[2] - a[2]) > c[2] + v * (d[2] - c[2])
+                found.append((s, t, u, v) if above else (t, s, v, u))
+    return found
+
+
+class OrbDrawings(InFolder):
+    K4 = ([(0, 0), (100, 60), (-100, 60), (0, -90)], [(0, 1), (0, 2), (0, 3), (1, 2), (1, 3), (2, 3)], [])
+
+    def test_a_drawing_has_the_structure_of_the_triangulation_beside_it(self):
+        for orders, volume in (((0,) * 6, 7.327724753418), ((2, 2, 3, 3, 6, 3), 0.923164366693)):
+            path = self.path("k4.orb", orb_file(orders, *self.K4))
+            output = self.path("x.json")
+            status, x = run_json("exterior", path, "-o", output)
+            self.assertEqual((status, x["orders"], len(x["marks"])), (0, list(orders), 6))
+            self.assertAlmostEqual(run_json("hyperbolize", output)[1]["volume"], volume, delta=1e-11)
+            self.assertAlmostEqual(run_json("hyperbolize", path)[1]["volume"], volume, delta=1e-11)
+        text = run("exterior", path).stdout
+        self.assertIn("edges of graph  order 2, order 2, order 3, order 3, order 6, order 3\n", text)
+        status, x = run_json("exterior", path, "--drilled")
+        self.assertEqual((status, x["homology"], "orders" in x), (0, "Z^3", False))
+        status, x = run_json("diagram", path)
+        self.assertEqual((status, x["crossings"], x["vertices"], x["edges"]), (0, 0, 4, 6))
+        self.assertIn("all of whose edges are drilled", run("exterior", path, "--parabolic").stderr)
+
+    def test_orders_on_the_command_line(self):
+        output = self.path("x.json")
+        self.assertEqual(run_json("exterior", "4_1", "--order", "0:5", "-o", output)[1]["orders"], [5])
+        # Hilden, Lozano and Montesinos (1995): see tests/diagram/marked_test.cpp.
+        self.assertAlmostEqual(run_json("hyperbolize", output)[1]["volume"], 0.937206854761, delta=1e-9)
+        k4 = "V[1, 3, 2] V[4, 5, 1] V[2, 6, 4] V[3, 5, 6]"
+        run_json("exterior", k4, "--order", "all:0", "-o", output)
+        self.assertAlmostEqual(run_json("hyperbolize", output)[1]["volume"], 7.327724753418, delta=1e-11)
+        x = run_json("exterior", k4, "--order", "all:3", "--order", "2:0", "--mirror")[1]
+        self.assertEqual(x["orders"], [3, 3, 0, 3, 3, 3])
+        for word in ("6:3", "0", "0:0.5", "x:3", "0:nan"):
+            done = run("exterior", k4, "--order", word)
+            self.assertEqual(done.returncode, 2)
+            self.assertIn(f"--order: found '{word}' (expected an edge of the graph, 0 to 5 or all", done.stderr)
+
+    def test_which_strand_is_above(self):
+        # A Lissajous knot, 5_2: chiral, so that a picture with all crossings changed is another one.
+        polygon = [(round(900 * math.cos(3 * t + 0.7)), round(900 * math.cos(2 * t + 0.2)), round(900 * math.cos(7 * t)))
+                   for t in (math.tau * k / 120 for k in range(120))]
+        curve = self.path("curve.xyz", "".join(f"{x} {y} {z}\n" for x, y, z in polygon))
+        n = len(polygon)
+        path = self.path("knot.orb", orb_file((), [(x, -y) for x, y, z in polygon], [(k, (k + 1) % n) for k in range(n)],
+                                              crossings_of(polygon), 1))
+        status, found = run_json("isometric", path, curve, "--pair")
+        self.assertEqual((status, found["keeps_orientation"], found["reverses_orientation"]), (0, True, False))
+        self.assertAlmostEqual(found["x"]["volume"], 2.828122088330, delta=1e-11)
+
+    def orbifold(self, code, *orders):
+        """The graph with orders of its edges in a file."""
+        path = self.path(f"orbifold{len(os.listdir(self.path('.')))}.json")
+        words = [word for k, n in enumerate(orders) for word in ("--order", f"{k}:{n}")]
+        self.assertEqual(run("exterior", code, *words, "-o", path).returncode, 0)
+        return path
+
+    def test_isometries_respect_orders(self):
+        theta = "V[1, 4, 9] V[3, 8, 13] X[10, 6, 11, 7] X[5, 2, 6, 3] X[1, 11, 2, 12] X[12, 5, 13, 4] X[7, 9, 8, 10]"
+        trefoil = "X[1, 4, 2, 5] X[3, 6, 8, 7] X[5, 2, 6, 3] V[7, 9, 1] V[4, 9, 8]"  # with an arc, edge 2
+        one = self.orbifold(theta, 2, 3, 4)
+        arc = self.orbifold(trefoil, 2, 2, 3)
+        for x, y, status, proof in ((one, self.orbifold(theta, 3, 2, 4), 0, "isomorphism"),
+                                    (one, self.orbifold(theta, 2, 3, 5), 1, "marks"),
+                                    (one, self.orbifold(trefoil, 2, 3, 4), 1, "structure"),
+                                    (one, "hk5_3", 1, "boundary"),
+                                    (arc, self.orbifold(trefoil, 2, 3, 2), 1, "covers"),
+                                    (self.orbifold(trefoil, 3, 2, 2), self.orbifold(trefoil, 2, 3, 2), 0, "isomorphism"),
+                                    (self.orbifold("4_1", 3), self.orbifold("5_2", 3), 1, "volume"),
+                                    (self.orbifold("4_1", 3), self.orbifold("4_1", 4), 1, "marks")):
+            found_status, found = run_json("isometric", x, y)
+            self.assertEqual((found_status, found["isometric"], found["proof"]), (status, status == 0, proof), found["reason"])
+            # And the other way round.
+            self.assertEqual(run_json("isometric", y, x)[1]["proof"], proof)
+        k4 = "V[1, 3, 2] V[4, 5, 1] V[2, 6, 4] V[3, 5, 6]"
+        adjacent, opposite = self.orbifold(k4, 5, 5, 3, 3, 3, 3), self.orbifold(k4, 5, 3, 3, 3, 3, 5)
+        found = run_json("isometric", adjacent, opposite)[1]
+        self.assertEqual((found["isometric"], found["proof"]), (False, "marks"))
+        self.assertIn("the orders at the vertices differ: sphere with 3, 3, 3; ", found["reason"])
+        self.assertIn("isometric: the ", run("isometric", one, one).stdout)
+
+    def test_colored_cells(self):
+        k4 = self.orbifold("V[1, 3, 2] V[4, 5, 1] V[2, 6, 4] V[3, 5, 6]", *(3,) * 6)
+        output = self.path("cells.json")
+        status, found = run_json("canonize", k4, "-o", output)
+        self.assertEqual((status, found["cells"], found["isometry_group_order"]), (0, ["tetrahedron"] * 2, 48))
+        self.assertEqual((found["certified"], len(found["marks"])), (False, 6))
+        self.assertIn("_0-01:3", found["isometry_signature"])
+        self.assertEqual(run_json("isometric", output, k4)[1]["isometric"], True)
+        self.assertIn("those of parabolic meridians", run("canonize", k4).stdout)
+        done = run("canonize", self.orbifold("4_1", 5))
+        self.assertEqual(done.returncode, 4)
+        self.assertIn("joins two cusps", done.stdout)
+
+    def test_bad_drawings(self):
+        done = run("exterior", self.path("none.orb", orb_file((0,), [], [], [])))
+        self.assertEqual((done.returncode, done.stderr.count("\n")), (2, 1))
+        self.assertIn("the file has a triangulation and no drawing of a graph", done.stderr)
+        points, segments, _ = self.K4
+        done = run("diagram", self.path("cross.orb", orb_file((0,) * 6, [(0, 200), *points[1:]], segments, [])))
+        self.assertEqual((done.returncode, done.stderr.count("\n")), (2, 1))
+        self.assertIn("segments 2 and 3 cross, and no crossing says how", done.stderr)
+        self.assertIn("their orders cannot be told", run("exterior", self.path("k4.orb", orb_file((0,) * 5, *self.K4))).stderr)
+
+
 class Diagrams(InFolder):
+    def test_a_handlebody_is_simplified_where_its_graph_is_knotted(self):
+        arc = "X[1, 4, 2, 5] X[3, 6, 8, 7] X[5, 2, 6, 3] V[7, 9, 1] V[4, 9, 8]"  # an unknotting tunnel of the trefoil
+        self.assertEqual(run_json("diagram", arc, "--simplify")[1]["crossings"], 3)
+        status, found = run_json("diagram", arc, "--handlebody")
+        self.assertEqual((status, found["crossings"], found["vertices"]), (0, 0, 2))
+        output = self.path("slid.pd")
+        self.assertEqual(run("diagram", "hk6_2", "--handlebody", "-o", output).returncode, 0)
+        self.assertTrue(run_json("isometric", output, "hk6_2", "--pair")[1]["equivalent"])
+
     def test_facts(self):
         status, d = run_json("diagram", "V[1, 2, 3] V[3, 2, 1]")
         self.assertEqual(status, 0)

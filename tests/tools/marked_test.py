@@ -9,7 +9,7 @@ from running import SOURCE, InFolder, run, run_json
 # Lines of edges of Orb's example files. Graphs2_0: a graph in S^3 with three edges, all of them parabolic.
 with open(f"{SOURCE}/tests/data/format/graphs2_0.orb", encoding="utf-8") as orb:
     GRAPH = orb.read()
-# And of 1_1^2.1, which Orb calls partially flat; the volume is that of 1_1^2.20, the same orbifold on four positive
+# And of 1_1^2.1, which Orb calls partially flat; the volume is that of 1_1^2.20, another orbifold, on four positive
 # tetrahedra (tests/hyperbolic/orbifold_test.cpp).
 FLAT = """% orb
 1_1^2.1

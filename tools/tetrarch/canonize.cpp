@@ -28,9 +28,10 @@ Result canonize(const CanonizeArguments& options, const Context& context) {
   require_extension(output, ".json");
   workshop::CanonicalOptions how = options.how;
   how.seed = context.seed;
-  const format::Document document = read_triangulation(input, context);
+  const format::Document document = read_marked_triangulation(input, context);
   require_manifold(document.triangulation, input);
   workshop::require_filled(document, input);
+  how.marks = document.marks;
   const workshop::Cells found = workshop::cells(document.triangulation, how, context.progress);
   Result result;
   result.warnings = document.warnings;
@@ -74,16 +75,16 @@ Result compare_pairs(const IsometricOptions& options, const Context& context) {
 Result isometric(const IsometricOptions& options, const Context& context) {
   if (options.pair) return compare_pairs(options, context);
   const auto& [x, y, unused] = options;
-  const format::Document given_x = read_triangulation(x, context);
+  const format::Document given_x = read_marked_triangulation(x, context);
   require_manifold(given_x.triangulation, x);
   workshop::require_filled(given_x, x);
-  const format::Document given_y = read_triangulation(y, context);
+  const format::Document given_y = read_marked_triangulation(y, context);
   require_manifold(given_y.triangulation, y);
   workshop::require_filled(given_y, y);
   workshop::CanonicalOptions how;
   how.seed = context.seed;
-  const workshop::Isometry found =
-      isometry({given_x.triangulation, x}, {given_y.triangulation, y}, how, context.progress);
+  const workshop::Isometry found = isometry({given_x.triangulation, x, given_x.marks},
+                                            {given_y.triangulation, y, given_y.marks}, how, context.progress);
   Result result;
   result.warnings = given_x.warnings;
   result.warnings.insert(result.warnings.end(), given_y.warnings.begin(), given_y.warnings.end());

@@ -20,11 +20,16 @@ namespace {
 constexpr const char* code_help =
     "the name of a knot, link or graph such as 4_1, L6a4 or hk5_3, a code such as 'braid 1 -2 1 -2', "
     "'PD[X[1,4,2,5], ...]' or 'DT[4,6,2]', a "
-    "file of one, or a curve in space";
+    "file of one (also the drawing in an Orb file), or a curve in space";
 
 diagram::Diagram read_diagram(const std::string& argument, const Context& context) {
   context.reads->any = true;
   return workshop::open_diagram(argument, {{}, samples_folder()}, context.seed, context.progress);
+}
+
+diagram::MarkedDiagram read_marked_diagram(const std::string& argument, const Context& context) {
+  context.reads->any = true;
+  return workshop::open_marked_diagram(argument, {{}, samples_folder()}, context.seed, context.progress);
 }
 
 struct ExteriorOptions {
@@ -33,12 +38,34 @@ struct ExteriorOptions {
   bool mirror = false;
   bool parabolic = false;
   bool doubled = false;
+  bool drilled = false;
+  std::vector<std::string> orders;
 };
+
+/// The orders that are asked for, edge by edge: "2:3", "all:0".
+void set_orders(diagram::MarkedDiagram& marked, const std::vector<std::string>& words) {
+  const diagram::Classes edge = diagram::edges(marked);
+  for (const std::string& word : words) {
+    const std::size_t colon = word.find(':');
+    const std::string name = word.substr(0, colon);
+    const bool all = name == "all";
+    const std::int64_t number = format::parse_integer(name).value_or(-1);
+    const double order =
+        colon == std::string::npos ? -1 : format::parse_double(word.substr(colon + 1)).value_or(-1);
+    if (!(all || (number >= 0 && number < edge.count)) || !is_edge_order(order))
+      throw InputError("--order: found " + in_quotes(word) + " (expected an edge of the graph, 0 to " +
+                       std::to_string(edge.count - 1) + " or all, and an order, 0, 1 or above: 0:3)");
+    for (int d = 0; d < marked.diagram.dart_count(); ++d)
+      if (all || edge.of[d] == number) marked.fates[d] = order;
+  }
+}
 
 Result exterior(const ExteriorOptions& options, const Context& context) {
   if (!options.output.empty()) output_format(options.output);
-  diagram::Diagram diagram = read_diagram(options.input, context);
-  if (options.mirror) diagram = mirrored(diagram);
+  diagram::MarkedDiagram diagram = options.drilled ? all_drilled(read_diagram(options.input, context))
+                                                   : read_marked_diagram(options.input, context);
+  if (options.mirror) diagram.diagram = mirrored(diagram.diagram);
+  set_orders(diagram, options.orders);
   workshop::Exterior found =
       workshop::exterior(diagram, {context.seed, {}, options.parabolic, options.doubled}, context.progress);
   Result result;
@@ -49,6 +76,7 @@ Result exterior(const ExteriorOptions& options, const Context& context) {
   result.json = tree_of(found);
   result.text = block(rows_of(found, found.info.signature));
   format::Document document = format::document_of(std::move(found.triangulation));
+  document.marks = std::move(found.marks);
   if (!options.output.empty()) add_file(result, options.output, document);
   result.value = std::make_shared<Value>(std::move(document));
   return result;
@@ -59,6 +87,7 @@ struct DiagramOptions {
   std::string output;
   bool mirror = false;
   bool simplify = false;
+  bool handlebody = false;
 };
 
 constexpr std::size_t longest_title = 100;
@@ -66,7 +95,10 @@ constexpr std::size_t longest_title = 100;
 Result describe_diagram(const DiagramOptions& options, const Context& context) {
   diagram::Diagram diagram = read_diagram(options.input, context);
   if (options.mirror) diagram = mirrored(diagram);
-  if (options.simplify) diagram = diagram::simplified(diagram, context.progress);
+  if (options.handlebody)
+    diagram = diagram::simplified_handlebody(diagram, context.progress);
+  else if (options.simplify)
+    diagram = diagram::simplified(diagram, context.progress);
   const workshop::DiagramFacts found = workshop::facts(diagram);
   Result result;
   result.json = tree_of(found);
@@ -88,6 +120,14 @@ Run declare_exterior(OptionTable& table) {
   const auto options = std::make_shared<ExteriorOptions>();
   table.add("DIAGRAM", options->input, code_help).required();
   table.add("--mirror", options->mirror, "take the mirror image");
+  table
+      .add("--order", options->orders,
+           "keep an edge of the graph in the triangulation, with the cone angle 2 pi / n around it (0: with "
+           "a parabolic "
+           "meridian), and drill only the others: 2:3, all:0")
+      .value_name("EDGE:N");
+  table.add("--drilled", options->drilled,
+            "drill every edge, also those of an Orb file that stay there with orders of their own");
   table.add("--parabolic", options->parabolic,
             "look for the structure in which the meridian of every edge is parabolic, and give its volume");
   table.add(
@@ -103,6 +143,10 @@ Run declare_diagram(OptionTable& table) {
   table.add("DIAGRAM", options->input, code_help).required();
   table.add("--mirror", options->mirror, "take the mirror image");
   table.add("--simplify", options->simplify, "look for a diagram of the same with fewer crossings");
+  table.add("--handlebody", options->handlebody,
+            "simplify the handlebody that the graph is the core of: edges may slide over one another, so "
+            "that the graph "
+            "may become another one");
   table.add("-o,--output", options->output, "write a drawing (.svg), or the planar diagram code")
       .output_file();
   return [options](const Context& context) { return describe_diagram(*options, context); };

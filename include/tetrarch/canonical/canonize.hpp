@@ -20,6 +20,7 @@
 #include "tetrarch/canonical/cells_proof.hpp"
 #include "tetrarch/canonical/decorated.hpp"
 #include "tetrarch/core/isomorphism.hpp"
+#include "tetrarch/core/marks.hpp"
 #include "tetrarch/core/progress.hpp"
 #include "tetrarch/hyperbolic/hyperbolize.hpp"
 
@@ -58,6 +59,8 @@ struct Canonical {
   /// where all cells are tetrahedra, else the coned one (cells.hpp).
   std::vector<std::string> cells;
   Triangulation canonical_triangulation;
+  /// Of marked edges (marked_canonize.hpp): those of `triangulation`, and those of `canonical_triangulation`.
+  Marks marks, canonical_marks;
   /// Equal exactly for isometric manifolds (orientation forgotten), as far as the cells are proved.
   std::string isometry_signature;
   /// Whether the cells are proved. `canonize` proves nothing; whoever has certified lengths may
@@ -72,6 +75,7 @@ struct Canonical {
                                  const CanonizeOptions& options = {}, const Progress& progress = {});
 
 /// The isometries, as automorphisms of the canonical triangulation; orientation-reversing ones included.
+/// Marks go to marks of the same order.
 std::vector<Isomorphism> isometry_group(const Canonical& canonical);
 
 /// Whether two manifolds are isometric.
@@ -87,6 +91,7 @@ struct IsometryAnswer {
     cells,       ///< the canonical decompositions differ, and both are proved
     structure,   ///< one has a certified structure, the other is proved to have none
     covers,      ///< the first homology groups of covers of some degree differ
+    marks,       ///< the marked edges differ: the orders of some, or at some vertex
   };
   Verdict verdict = Verdict::undecided;
   Proof proof = Proof::none;

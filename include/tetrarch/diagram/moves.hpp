@@ -57,6 +57,31 @@ Diagram without_twist(const Diagram& diagram, int dart);
 /// counterclockwise.
 Diagram with_twist(const Diagram& diagram, int dart, bool over);
 
+/// Pushes a vertex of valence 3 along its edge through the next crossing: the two other edges follow it, and
+/// cross what it crosses, so that there is one crossing more (the fourth move). The dart stands at the
+/// vertex, and its arc ends at a crossing. Throws PreconditionError otherwise. O(darts).
+Diagram with_vertex_passed(const Diagram& diagram, int dart);
+
+/// Whether the dart's arc joins two vertices of valence 3. O(1).
+bool is_ih(const Diagram& diagram, int dart);
+/// The IH move, which changes the graph and not its neighborhood: the edge shrinks to a point and another one
+/// grows there, across it in the plane.
+///
+///     b       f          b     f
+///      >--d--<     to     >---<  turned by a right angle: b and c below one vertex, f and a at the other
+///     a       c
+///
+/// A handlebody-knot is a spatial graph of valence 3 up to isotopy and such moves. Throws PreconditionError
+/// unless `is_ih`. Source: Ishii, "Moves and invariants for knotted handlebodies" (2008). O(darts).
+Diagram with_ih(const Diagram& diagram, int dart);
+
+/// A diagram of a graph with the same neighborhood and few crossings: `simplified`, and IH moves along edges
+/// with two crossings or fewer, those that twist the edges included, as long as they lead to fewer crossings,
+/// or for a while to as many. The graph may change, a theta curve to a handcuff graph for instance. Not
+/// always the fewest. Some dozens of milliseconds for ten crossings; a diagram in several parts is only
+/// `simplified`.
+Diagram simplified_handlebody(const Diagram& diagram, const Progress& progress = {});
+
 /// Without the vertices of valence 2, but for one on each circle without crossings. O(darts).
 Diagram without_points(const Diagram& diagram);
 

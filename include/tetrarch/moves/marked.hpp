@@ -19,6 +19,9 @@
 #include "tetrarch/core/random.hpp"
 #include "tetrarch/moves/complex.hpp"
 #include "tetrarch/moves/log.hpp"
+#include "tetrarch/moves/obstacle.hpp"
+
+#include <variant>
 
 namespace tetrarch::moves {
 
@@ -49,6 +52,13 @@ private:
   Complex complex_;
   std::vector<double> order_; ///< by edge id
 };
+
+/// Crushes edges (drill.hpp) and keeps the marks of the others; or why not. Two marked edges that would
+/// become one are an obstacle, `edges_form_cycle`. Throws PreconditionError for a stale skeleton. O(n).
+[[nodiscard]] std::variant<MarkedTriangulation, Obstacle> crushed(const Triangulation& tri,
+                                                                  const Skeleton& skeleton,
+                                                                  const EdgeOrders& orders,
+                                                                  const Table<EdgeId, bool>& edges);
 
 /// Makes moves that remove tetrahedra until there is none. O(n^2); for some hundreds of tetrahedra.
 void reduce(MarkedComplex& complex, const Progress& progress = {});

@@ -26,6 +26,7 @@ struct CanonicalOptions {
   int attempts = hyperbolic::SearchOptions{}.attempts; ///< greatest number of triangulations to try
   std::uint64_t seed = 1;
   bool list_isometries = false; ///< keep all isometries
+  Marks marks{};                ///< of `cells`: the edges with orders, which are edges of cells then
 };
 
 /// The cells of a manifold, or the sentence that says why there are none.
@@ -46,7 +47,8 @@ struct Cells {
 
 /// Throws PreconditionError unless `tri` is a connected manifold of at least one tetrahedron; Stopped if the
 /// progress says so. Milliseconds for ten tetrahedra.
-/// The cells are proved where that succeeds.
+/// The cells are proved where that succeeds. With marks they are those of the structure whose meridians are
+/// parabolic, colored by the orders (canonical: marked_canonize.hpp), and not proved.
 Cells cells(const Triangulation& tri, const CanonicalOptions& options = {}, const Progress& progress = {});
 
 Rows rows_of(const Cells& found);
@@ -57,6 +59,7 @@ format::Document document_of(const Cells& found);
 struct Compared {
   const Triangulation& tri;
   std::string name;
+  Marks marks = {};
 };
 
 /// Whether two manifolds are isometric, with the isometry or the reason.
@@ -74,6 +77,12 @@ struct Isometry {
 /// Both as for `cells`. Boundaries (spheres count) and first homology are compared first, then the
 /// triangulations themselves, then certified volumes, then canonical cells, then the homology of covers.
 /// Where only one carries a structure, a reason why the other has none decides.
+///
+/// With marks the question is whether a homeomorphism takes marked edges to marked edges of the same orders;
+/// where these are whole numbers and both are hyperbolic, that is an isometry of orbifolds. A yes is an
+/// isomorphism of marked triangulations that moves reach which keep marks. A no is that the orders differ, or
+/// how they meet at vertices; the first homology of the orbifold's group or of its covers; or that the
+/// exteriors of the marked edges are not homeomorphic, by the above.
 Isometry isometry(const Compared& x, const Compared& y, const CanonicalOptions& options = {},
                   const Progress& progress = {});
 

@@ -3,6 +3,7 @@
 
 /// Diagrams of links and spatial graphs: what they are, and their exteriors.
 
+#include "tetrarch/diagram/marked.hpp"
 #include "tetrarch/diagram/wirtinger.hpp"
 #include "tetrarch/workshop/info.hpp"
 #include "tetrarch/workshop/open.hpp"
@@ -10,14 +11,19 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace tetrarch::workshop {
 
 /// The diagram that this is: a file, "-", or a code spelled out ("braid 1 -2 1 -2"). A file may also hold the
-/// points of a curve in space, or lines of OBJ: it is reduced and projected. Throws InputError that says what
-/// was tried.
+/// points of a curve in space, or lines of OBJ: it is reduced and projected. Of an Orb file, the drawing.
+/// Throws InputError that says what was tried.
 diagram::Diagram open_diagram(const std::string& what, const OpenOptions& options = {},
                               std::uint64_t seed = 1, const Progress& progress = {});
+
+/// The same, and which edges stay in space with what order: those that an Orb file says; none of others.
+diagram::MarkedDiagram open_marked_diagram(const std::string& what, const OpenOptions& options = {},
+                                           std::uint64_t seed = 1, const Progress& progress = {});
 
 /// What a diagram shows.
 struct DiagramFacts {
@@ -36,6 +42,8 @@ Rows rows_of(const DiagramFacts& facts);
 
 /// Components of the graph without cycles: a neighborhood of one is a ball.
 int tree_count(const diagram::Diagram& diagram);
+/// Those of which all edges are drilled.
+int tree_count(const diagram::MarkedDiagram& marked);
 
 /// The exterior of a diagram.
 struct Exterior {
@@ -50,8 +58,10 @@ struct Exterior {
     std::string how; ///< a sentence: where it was found, or what was tried
   };
   std::optional<Parabolic> parabolic;
-  int filled_spheres = 0; ///< trees among the components: the ball round each is there again
-  bool is_double = false; ///< the triangulation is that of diagram::doubled_exterior
+  int filled_spheres = 0;           ///< trees among the components: the ball round each is there again
+  std::vector<diagram::Fate> fates; ///< of each edge of the graph; empty: all are drilled
+  Marks marks;                      ///< of the edges that stay, on the triangulation
+  bool is_double = false;           ///< the triangulation is that of diagram::doubled_exterior
 };
 
 struct ExteriorOptions {
@@ -60,7 +70,11 @@ struct ExteriorOptions {
   bool parabolic = false; ///< look for the structure with parabolic meridians, too
   bool doubled = false;   ///< the double instead of the exterior
 };
-/// Throws InputError if a double is asked for of a graph without vertices of valence 3 or more.
+/// Throws InputError if a double is asked for of a graph without vertices of valence 3 or more, or it or the
+/// parabolic structure of a graph with edges that stay.
+Exterior exterior(const diagram::MarkedDiagram& marked, const ExteriorOptions& options = {},
+                  const Progress& progress = {});
+/// All edges are drilled.
 Exterior exterior(const diagram::Diagram& diagram, const ExteriorOptions& options = {},
                   const Progress& progress = {});
 /// `signature` as of an Info.
