@@ -65,10 +65,14 @@ public:
   void find_around() {
     for (int v = 0; v < surface_.vertex_count(); ++v) {
       std::vector<int>& around = charts_.around.emplace_back();
+      std::vector<int>& begins = charts_.begins.emplace_back();
       const Side first = first_[v];
       Side s = first;
       do {
-        if (separates(s)) around.push_back(charts_.of[s.triangle()]);
+        if (separates(s)) {
+          around.push_back(charts_.of[s.triangle()]);
+          begins.push_back(surface_.to(s));
+        }
         s = turned(surface_, s);
       } while (s != first);
       if (around.size() > 2) charts_.corners.push_back(v);
@@ -140,31 +144,28 @@ private:
   std::vector<Side> first_;
 };
 
-using Labels = std::vector<Label>;
+using Sectors = std::vector<Sector>;
 
-/// Each label once in a row, and the least of all rotations.
-Labels rotated_least(const Labels& around) {
-  Labels merged;
-  for (const Label l : around)
-    if (merged.empty() || merged.back() != l) merged.push_back(l);
-  while (merged.size() > 1 && merged.front() == merged.back()) merged.pop_back();
-  Labels least = merged;
-  for (std::size_t k = 1; k < merged.size(); ++k) {
-    std::rotate(merged.begin(), merged.begin() + 1, merged.end());
-    least = std::min(least, merged);
+/// The least of all rotations.
+template <class Around>
+Around least_rotation(Around around) {
+  Around least = around;
+  for (std::size_t k = 1; k < around.size(); ++k) {
+    std::rotate(around.begin(), around.begin() + 1, around.end());
+    least = std::min(least, around);
   }
   return least;
 }
 
-/// Octant k is on the positive side of axis a if bit a of k is set; ray 2 a is along the axis, 2 a + 1
-/// against it, like labels. Between two octants that differ in a is a quarter of a plane, between two rays.
+/// Octant k is on the positive side of axis a if bit a of k is set; rays are numbered as labels are. Between
+/// two octants that differ in one axis is a quarter of a plane, between two rays.
 struct Quarter {
   Label label = -1;
   int to = -1; ///< ray; counterclockwise, seen from outside
 };
 
-/// The labels around the corner of filled octants, or none where the surface there is no disk.
-Labels labels_around(unsigned filled) {
+/// The sectors around the corner of filled octants, or none where the surface there is no disk.
+Sectors sectors_around(unsigned filled) {
   std::array<Quarter, labels> from{}; // the ray
   int quarters = 0;
   for (unsigned octant = 0; octant < 8; ++octant)
@@ -184,21 +185,40 @@ Labels labels_around(unsigned filled) {
       from[start] = {2 * a + (is_up ? 0 : 1), end};
       ++quarters;
     }
-  Labels around;
+  Sectors around;
   for (int first = 0; first < labels && around.empty(); ++first)
     for (int ray = first; from[ray].label >= 0;) {
-      around.push_back(from[ray].label);
+      around.push_back({from[ray].label, ray});
       ray = from[ray].to;
       if (ray == first) break;
     }
-  return static_cast<int>(around.size()) == quarters ? rotated_least(around) : Labels{};
+  if (static_cast<int>(around.size()) != quarters) return {};
+  // Quarters of one plane are one sector, which begins where the first of them does.
+  Sectors merged;
+  for (std::size_t k = 0; k < around.size(); ++k)
+    if (around[k].label != around[(k + around.size() - 1) % around.size()].label) merged.push_back(around[k]);
+  return merged;
 }
 
-std::set<Labels> corners_of_cubes() {
-  std::set<Labels> result;
-  for (unsigned filled = 0; filled < 256; ++filled)
-    if (Labels around = labels_around(filled); around.size() > 2) result.insert(std::move(around));
-  return result;
+/// All corners that cubes make, with the ways of lines and without.
+struct KnownCorners {
+  KnownCorners() {
+    for (unsigned filled = 0; filled < 256; ++filled) {
+      const Sectors around = sectors_around(filled);
+      if (around.size() <= 2) continue;
+      sectors.insert(least_rotation(around));
+      std::vector<Label> alone;
+      for (const Sector& s : around) alone.push_back(s.label);
+      labels.insert(least_rotation(alone));
+    }
+  }
+  std::set<Sectors> sectors;
+  std::set<std::vector<Label>> labels;
+};
+
+const KnownCorners& known_corners() {
+  static const KnownCorners known;
+  return known;
 }
 
 /// The vertices at which a line turns back: where it is farthest before, and where after that it is least.
@@ -241,9 +261,11 @@ Charts charts(const product::Solid& solid, const Facets& facets, const std::vect
 }
 
 bool is_corner_of_cubes(const std::vector<Label>& around) {
-  static const std::set<Labels> known = corners_of_cubes();
-  const Labels least = rotated_least(around);
-  return least.size() == around.size() && known.contains(least);
+  return known_corners().labels.contains(least_rotation(around));
+}
+
+bool is_corner_of_cubes(const std::vector<Sector>& around) {
+  return known_corners().sectors.contains(least_rotation(around));
 }
 
 std::vector<Fault> faults(const product::Solid& solid, const Charts& charts) {

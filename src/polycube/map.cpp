@@ -3,6 +3,7 @@
 
 #include "tetrarch/numeric/sparse_cholesky.hpp"
 #include "tetrarch/numeric/vector.hpp"
+#include "tetrarch/product/polycube_pullback.hpp"
 #include "tetrarch/solid/edge_weights.hpp"
 #include "tetrarch/unfold/unfold.hpp"
 
@@ -126,6 +127,29 @@ unfold::Freedom freedom_in(const std::array<int, 3>& holds) {
   return result;
 }
 
+/// Unfolds, while vertices that are not to move stay.
+std::vector<Point> unfolded_where(const product::Solid& solid, const Planes& planes, double scale,
+                                  std::vector<Point> start, const std::vector<char>& moves,
+                                  const Progress& progress) {
+  unfold::Problem problem;
+  double total = 0;
+  for (const auto& v : solid.mesh.tetrahedra) {
+    if (std::none_of(v.begin(), v.end(), [&](int w) { return moves[w] != 0; })) continue;
+    std::array<Vector, 3> edges{};
+    for (std::size_t k = 0; k < 3; ++k) edges[k] = scale * (solid.point(v[k + 1]) - solid.point(v[0]));
+    const double volume = dot(edges[0], cross(edges[1], edges[2]));
+    if (!(volume > 0)) continue; // positive, but not after rounding
+    total += volume;
+    problem.elements.push_back(unfold::element(v, edges, volume));
+  }
+  for (unfold::Element& e : problem.elements)
+    e.weight *= static_cast<double>(problem.elements.size()) / total;
+  for (std::size_t v = 0; v < moves.size(); ++v)
+    problem.freedom.push_back(moves[v] != 0 ? freedom_in(planes.holds[v])
+                                            : unfold::Freedom{unfold::Freedom::Kind::fixed, {}});
+  return unfold::unfold(problem, std::move(start), {}, progress).points;
+}
+
 } // namespace
 
 std::optional<Image> least_squares_image(const product::Solid& solid, const Planes& planes, double scale,
@@ -146,22 +170,22 @@ std::optional<Image> least_squares_image(const product::Solid& solid, const Plan
 
 std::vector<Point> unfolded_image(const product::Solid& solid, const Planes& planes, double scale,
                                   std::vector<Point> start, const Progress& progress) {
-  unfold::Problem problem;
-  double total = 0;
-  for (const auto& v : solid.mesh.tetrahedra) {
-    std::array<Vector, 3> edges{};
-    for (std::size_t k = 0; k < 3; ++k) edges[k] = scale * (solid.point(v[k + 1]) - solid.point(v[0]));
-    const double volume = dot(edges[0], cross(edges[1], edges[2]));
-    if (!(volume > 0)) continue; // positive, but not after rounding
-    total += volume;
-    problem.elements.push_back(unfold::element(v, edges, volume));
+  const std::vector<char> all(start.size(), 1);
+  return unfolded_where(solid, planes, scale, std::move(start), all, progress);
+}
+
+std::vector<Point> locally_unfolded_image(const product::Solid& solid, const Planes& planes, double scale,
+                                          std::vector<Point> start, int rings, const Progress& progress) {
+  std::vector<char> moves(start.size());
+  for (const int t : product::folded(solid, start))
+    for (const int v : solid.corners(t)) moves[v] = 1;
+  for (int ring = 0; ring < rings; ++ring) {
+    const std::vector<char> before = moves;
+    for (const auto& tet : solid.mesh.tetrahedra)
+      if (std::any_of(tet.begin(), tet.end(), [&](int v) { return before[v] != 0; }))
+        for (const int v : tet) moves[v] = 1;
   }
-  for (unfold::Element& e : problem.elements)
-    e.weight *= static_cast<double>(problem.elements.size()) / total;
-  for (const auto& holds : planes.holds) problem.freedom.push_back(freedom_in(holds));
-  unfold::Options options;
-  options.most_rounds = 30;
-  return unfold::unfold(problem, std::move(start), options, progress).points;
+  return unfolded_where(solid, planes, scale, std::move(start), moves, progress);
 }
 
 } // namespace tetrarch::polycube

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <map>
+#include <set>
 #include <utility>
 
 namespace tetrarch::polycube {
@@ -32,6 +33,18 @@ Edge edge_of(int v, int w) {
   return {std::min(v, w), std::max(v, w)};
 }
 
+/// Whether all corners lie on two parallel lines, so that the tetrahedron must be flat.
+bool is_between_lines(const Planes& planes, const std::array<int, 4>& tet) {
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    std::set<Edge> lines;
+    for (const int v : tet) lines.insert({planes.holds[v][(axis + 1) % 3], planes.holds[v][(axis + 2) % 3]});
+    const bool are_lines = std::all_of(lines.begin(), lines.end(),
+                                       [](const Edge& line) { return line[0] >= 0 && line[1] >= 0; });
+    if (are_lines && lines.size() <= 2) return true;
+  }
+  return false;
+}
+
 /// The edges that must be split, in order.
 std::vector<solid::EdgePoint> locked_edges(const product::Solid& solid, const Charts& charts,
                                            const Planes& planes) {
@@ -43,14 +56,18 @@ std::vector<solid::EdgePoint> locked_edges(const product::Solid& solid, const Ch
       allowed[edge_of(solid.vertex[surface.from(s)], solid.vertex[surface.to(s)])] =
           charts.of[t] == charts.of[surface.mate(s).triangle()] ? 1 : 2;
   std::vector<Edge> locked;
-  for (const auto& tet : solid.mesh.tetrahedra)
+  for (const auto& tet : solid.mesh.tetrahedra) {
+    const bool is_flat = is_between_lines(planes, tet);
     for (std::size_t i = 0; i < 4; ++i)
       for (std::size_t j = 0; j < i; ++j) {
         const int shared = common_planes(planes, {tet[i], tet[j]});
+        if (is_flat && shared < 2 && !allowed.contains(edge_of(tet[i], tet[j])))
+          locked.push_back(edge_of(tet[i], tet[j]));
         if (shared == 0) continue;
         const auto found = allowed.find(edge_of(tet[i], tet[j]));
         if (shared > (found == allowed.end() ? 0 : found->second)) locked.push_back(edge_of(tet[i], tet[j]));
       }
+  }
   std::sort(locked.begin(), locked.end());
   locked.erase(std::unique(locked.begin(), locked.end()), locked.end());
   std::vector<solid::EdgePoint> result;
@@ -62,17 +79,21 @@ std::vector<solid::EdgePoint> locked_edges(const product::Solid& solid, const Ch
 /// The label of each triangle of the boundary, which is a face of the new mesh, from the face it comes from.
 template <class Origin>
 LabeledSolid relabeled(const LabeledSolid& old, solid::TetMesh mesh, const Origin& origin) {
-  LabeledSolid result{product::solid_of(std::move(mesh)), {}};
+  LabeledSolid result{product::solid_of(std::move(mesh)), {}, old.image};
   for (const TetFace& face : result.solid.face) result.label.push_back(old.label[origin(face)]);
   return result;
 }
 
 LabeledSolid split_at(const LabeledSolid& old, const std::vector<solid::EdgePoint>& edges) {
   solid::SplitTets split = solid::split_edges(old.solid.mesh, edges);
-  return relabeled(old, std::move(split.mesh), [&](const TetFace& f) {
+  LabeledSolid result = relabeled(old, std::move(split.mesh), [&](const TetFace& f) {
     const auto face = static_cast<std::size_t>(4 * f.tet + f.face);
     return old.solid.outside[static_cast<std::size_t>(4 * split.origin[f.tet] + split.face_of[face])];
   });
+  if (!old.image.empty())
+    for (const solid::EdgePoint& e : edges)
+      result.image.push_back(0.5 * (old.image[e.from] + old.image[e.to]));
+  return result;
 }
 
 /// Splits faces inside of three vertices of one plane: a tetrahedron that has one becomes a cone over its
@@ -82,10 +103,15 @@ LabeledSolid with_faces_split(const LabeledSolid& old, const Planes& planes, boo
   solid::TetMesh mesh{solid.mesh.points, {}};
   std::vector<int> origin; // of each tetrahedron, the face at its base, as 4 t + f, or -1
   std::map<std::array<int, 3>, int> middle_of;
+  std::vector<Point> image = old.image;
   const auto middle = [&](const std::vector<int>& vertices) {
-    Point sum{};
-    for (const int v : vertices) sum = sum + mesh.points[v];
-    mesh.points.push_back((1.0 / static_cast<double>(vertices.size())) * sum);
+    const auto mean = [&vertices](const std::vector<Point>& points) {
+      Point sum{};
+      for (const int v : vertices) sum = sum + points[v];
+      return (1.0 / static_cast<double>(vertices.size())) * sum;
+    };
+    mesh.points.push_back(mean(mesh.points));
+    if (!image.empty()) image.push_back(mean(image));
     return static_cast<int>(mesh.points.size()) - 1;
   };
   for (int t = 0; t < solid.size(); ++t) {
@@ -125,9 +151,11 @@ LabeledSolid with_faces_split(const LabeledSolid& old, const Planes& planes, boo
       }
     }
   }
-  return relabeled(old, std::move(mesh), [&](const TetFace& f) {
+  LabeledSolid result = relabeled(old, std::move(mesh), [&](const TetFace& f) {
     return solid.outside[static_cast<std::size_t>(origin[f.tet]) + f.face];
   });
+  result.image = std::move(image);
+  return result;
 }
 
 } // namespace
@@ -176,6 +204,29 @@ LabeledSolid with_room(LabeledSolid labeled, const Progress& progress) {
     labeled = std::move(split);
   }
   return labeled;
+}
+
+LabeledSolid refined(const LabeledSolid& labeled, const std::vector<int>& tetrahedra,
+                     const Progress& progress) {
+  const auto edges_of = [&](int t) {
+    std::vector<Edge> edges;
+    const auto& v = labeled.solid.corners(t);
+    for (std::size_t i = 0; i < 4; ++i)
+      for (std::size_t j = 0; j < i; ++j) edges.push_back(edge_of(v[i], v[j]));
+    return edges;
+  };
+  std::set<Edge> first;
+  for (const int t : tetrahedra)
+    for (const Edge& e : edges_of(t)) first.insert(e);
+  std::set<Edge> all = first;
+  for (int t = 0; t < labeled.solid.size(); ++t) {
+    const std::vector<Edge> edges = edges_of(t);
+    if (std::any_of(edges.begin(), edges.end(), [&](const Edge& e) { return first.contains(e); }))
+      all.insert(edges.begin(), edges.end());
+  }
+  std::vector<solid::EdgePoint> splits;
+  for (const auto& [from, to] : all) splits.push_back({from, to, 1.0 / 2});
+  return with_room(split_at(labeled, splits), progress);
 }
 
 } // namespace tetrarch::polycube

@@ -1,106 +1,78 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "tetrarch/polycube/polycube.hpp"
 
-#include "tetrarch/numeric/vector.hpp"
+#include "tetrarch/polycube/gaps.hpp"
 #include "tetrarch/polycube/map.hpp"
 #include "tetrarch/product/polycube_pullback.hpp"
-#include "walk.hpp"
 
-#include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <map>
 #include <utility>
 
 namespace tetrarch::polycube {
-namespace {
-
-using namespace numeric;
-
-/// Gaps between two planes, all of them together.
-class GapSet {
-public:
-  explicit GapSet(const Image& image) : image_(image) {}
-  /// `low` and `high` are planes.
-  void add(int low, int high, double weight) {
-    const double width = image_.of_planes[high] - image_.of_planes[low];
-    if (low != high && width > 0) weight_[{low, high}] += weight;
-  }
-  std::vector<Gap> all() const {
-    double total = 0;
-    for (const auto& [ends, weight] : weight_) total += weight;
-    std::vector<Gap> result;
-    for (const auto& [ends, weight] : weight_)
-      result.push_back({ends[0], ends[1], image_.of_planes[ends[1]] - image_.of_planes[ends[0]],
-                        weight / total * static_cast<double>(weight_.size())});
-    return result;
-  }
-
-private:
-  const Image& image_;
-  std::map<std::array<int, 2>, double> weight_;
-};
-
-/// From the end of a line to the other.
-void add_lines(const Frame& frame, GapSet& gaps) {
-  const product::Solid& solid = frame.labeled.solid;
-  for (const Line& line : frame.charts.lines) {
-    if (line.is_closed || are_opposite(frame.charts.label[line.left], frame.charts.label[line.right]))
-      continue;
-    const std::size_t axis = frame.charts.axis(line);
-    int low = frame.planes.holds[solid.vertex[line.vertices.front()]][axis];
-    int high = frame.planes.holds[solid.vertex[line.vertices.back()]][axis];
-    if (low < 0 || high < 0) continue; // a faulty corner
-    double length = 0;
-    for (std::size_t k = 1; k < line.vertices.size(); ++k)
-      length += distance(solid.point(solid.vertex[line.vertices[k]]),
-                         solid.point(solid.vertex[line.vertices[k - 1]]));
-    constexpr double of_square = 0.1;
-    gaps.add(low, high, of_square * length * length);
-    gaps.add(high, low, of_square * length * length);
-  }
-}
-
-/// From each triangle straight through the solid.
-void add_walls(const Frame& frame, const Facets& facets, const Image& image, GapSet& gaps,
-               const Progress& progress) {
-  const product::Solid& solid = frame.labeled.solid;
-  const ImageWalk walk(solid, image.points);
-  const double far = 2 * extent(image.points);
-  for (int t = 0; t < solid.boundary.triangle_count(); ++t) {
-    if (t % 256 == 0) progress.step("walls");
-    const int tet = solid.face[t].tet;
-    Point middle{};
-    for (const int v : solid.corners(tet)) middle = middle + 0.25 * image.points[v];
-    const Label label = frame.labeled.label[t];
-    const WalkEnd end = walk.walk(tet, middle, middle - far * direction_of(label));
-    if (end.is_lost || end.triangle < 0 || !are_opposite(label, frame.labeled.label[end.triangle])) continue;
-    const int here = frame.planes.of_chart[frame.charts.of[t]];
-    const int there = frame.planes.of_chart[frame.charts.of[end.triangle]];
-    sign_of(label) > 0 ? gaps.add(there, here, facets.area[t]) : gaps.add(here, there, facets.area[t]);
-  }
-}
-
-} // namespace
 
 std::optional<Frame> frame(const product::Solid& solid, const std::vector<Label>& label,
                            const Progress& progress) {
   Frame result;
   result.labeled = with_room({solid, label}, progress);
-  const Facets facets(result.labeled.solid);
-  result.charts = charts(result.labeled.solid, facets, result.labeled.label);
+  result.charts = charts(result.labeled.solid, Facets(result.labeled.solid), result.labeled.label);
   result.planes = planes(result.labeled.solid, result.charts);
   progress.step("least squares");
   const auto image = least_squares_image(result.labeled.solid, result.planes, 1);
   if (!image) return std::nullopt;
   result.places = image->of_planes;
-  GapSet gaps(*image);
-  add_lines(result, gaps);
-  add_walls(result, facets, *image, gaps, progress);
-  result.gaps = gaps.all();
+  result.gaps = gaps(result.labeled, result.charts, result.planes, *image, progress);
   return result;
 }
+
+template <class Number>
+std::vector<int> twisted_corners(const Frame& frame, const std::vector<Number>& places) {
+  // The far end of the line that leaves a corner by way of a vertex.
+  std::map<std::array<int, 2>, int> far_end;
+  for (const Line& line : frame.charts.lines) {
+    const std::vector<int>& v = line.vertices;
+    far_end[{v.front(), v[1]}] = v.back();
+    far_end[{v.back(), v[v.size() - 2]}] = v.front();
+  }
+  const auto place = [&](int v, std::size_t axis) {
+    const int plane = frame.planes.holds[frame.labeled.solid.vertex[v]][axis];
+    return plane < 0 ? Number{} : places[plane];
+  };
+  std::vector<int> result;
+  for (const int v : frame.charts.corners) {
+    const std::vector<int>& around = frame.charts.around[v];
+    std::vector<Sector> sectors;
+    for (std::size_t k = 0; k < around.size(); ++k) {
+      const Label here = frame.charts.label[around[k]];
+      const Label before = frame.charts.label[around[(k + around.size() - 1) % around.size()]];
+      if (axis_of(here) == axis_of(before)) break;
+      const std::size_t axis = 3 - axis_of(here) - axis_of(before);
+      const bool is_up = place(far_end.at({v, frame.charts.begins[v][k]}), axis) > place(v, axis);
+      sectors.push_back({here, static_cast<Label>(2 * axis) + (is_up ? 0 : 1)});
+    }
+    if (sectors.size() < around.size() || !is_corner_of_cubes(sectors)) result.push_back(v);
+  }
+  return result;
+}
+template std::vector<int> twisted_corners(const Frame& frame, const std::vector<int>& places);
+template std::vector<int> twisted_corners(const Frame& frame, const std::vector<double>& places);
+
+namespace {
+
+/// Unfolds around folds, in larger and larger surroundings, as long as there are folds.
+void unfold_folds(Polycube& polycube, const Planes& planes, double edge, const Progress& progress) {
+  LabeledSolid& labeled = polycube.labeled;
+  polycube.flipped = product::folded(labeled.solid, labeled.image);
+  for (const int rings : {3, 8}) {
+    if (polycube.flipped.empty()) return;
+    labeled.image =
+        locally_unfolded_image(labeled.solid, planes, 1 / edge, std::move(labeled.image), rings, progress);
+    polycube.flipped = product::folded(labeled.solid, labeled.image);
+  }
+}
+
+} // namespace
 
 std::optional<Polycube> polycube(const Frame& frame, double edge, const Progress& progress) {
   std::vector<double> places = frame.places;
@@ -114,9 +86,19 @@ std::optional<Polycube> polycube(const Frame& frame, double edge, const Progress
   auto image = least_squares_image(solid, frame.planes, 1 / edge,
                                    std::vector<double>(rounded->begin(), rounded->end()));
   if (!image) return std::nullopt;
-  Polycube result{
-      unfolded_image(solid, frame.planes, 1 / edge, std::move(image->points), progress), *rounded, {}};
-  result.flipped = product::folded(solid, result.image);
+  Polycube result{frame.labeled, *rounded, twisted_corners(frame, *rounded), {}};
+  result.labeled.image = unfolded_image(solid, frame.planes, 1 / edge, std::move(image->points), progress);
+  unfold_folds(result, frame.planes, edge, progress);
+  // Folds that few tetrahedra have are stuck: they want more freedom.
+  constexpr int most_rounds = 4;
+  constexpr std::size_t few = 200;
+  Polycube finer = result;
+  for (int round = 0; round < most_rounds && !result.flipped.empty() && finer.flipped.size() < few; ++round) {
+    finer.labeled = refined(finer.labeled, finer.flipped, progress);
+    const product::Solid& pieces = finer.labeled.solid;
+    unfold_folds(finer, planes(pieces, charts(pieces, Facets(pieces), finer.labeled.label)), edge, progress);
+    if (finer.flipped.size() < result.flipped.size()) result = finer;
+  }
   return result;
 }
 
@@ -127,6 +109,8 @@ Polycubes::Polycubes(const product::Solid& solid, const Progress& progress)
 std::optional<Polycubes::Found> Polycubes::at(double edge, const Progress& progress) {
   std::optional<Found> best;
   for (std::size_t k = 0; k < labelings_.size(); ++k) {
+    // What has more faults than the best has no better map, and costs as much.
+    if (best && labelings_[k].faults.size() > labelings_.front().faults.size()) break;
     if (is_framed_[k] == 0) {
       is_framed_[k] = 1;
       frames_[k] = frame(solid_, labelings_[k].label, progress);

@@ -22,6 +22,7 @@ namespace {
 struct HexArguments {
   std::string input;
   std::vector<std::string> outputs;
+  std::string start = "grid";
   std::optional<double> edge;
   std::optional<std::int64_t> cells;
   double sharp = hex::FillOptions{}.sharp;
@@ -77,8 +78,10 @@ Result run_hex(const HexArguments& options, const Context& context) {
   for (const std::string& path : options.outputs) require_known_extension(path);
   Result result;
   const product::Solid solid = read_filled(options, result, context);
-  const workshop::FilledSolid found =
-      workshop::filled_solid(solid, wanted(options, solid, context), context.progress);
+  const hex::FillOptions wish = wanted(options, solid, context);
+  const workshop::FilledSolid found = options.start == "polycube"
+                                          ? workshop::polycube_filled_solid(solid, wish, context.progress)
+                                          : workshop::filled_solid(solid, wish, context.progress);
   result.status = status_of(found.verdict());
   result.json = tree_of(found);
   result.text = block(rows_of(found));
@@ -99,6 +102,11 @@ Run declare_hex(OptionTable& table) {
            "write hexahedra (.mesh, .vtu, .json), or what is to be seen of them (.glb, .ply, .obj); may be "
            "repeated")
       .output_file();
+  table
+      .add("--start", o->start,
+           "what hexahedra begin with: cells of a grid, or cubes of a polycube that is made for the solid")
+      .one_of({"grid", "polycube"})
+      .with_default();
   table
       .add("--cells", o->cells,
            "about how many hexahedra to make (default: " + std::to_string(hex::usual_cells) +

@@ -37,6 +37,9 @@ struct Charts {
   /// Of each vertex of the boundary the charts around it, counterclockwise seen from outside, one for each
   /// sector; one where it lies inside a chart.
   std::vector<std::vector<int>> around;
+  /// Of each sector around a vertex that is not inside of a chart, the next vertex on the line at which the
+  /// sector begins.
+  std::vector<std::vector<int>> begins;
   std::vector<int> corners; ///< vertices of the boundary with more than two sectors, increasing
   /// Of each chart, corners on each of its boundary curves.
   std::vector<std::vector<int>> corners_of_curve;
@@ -54,6 +57,15 @@ Charts charts(const product::Solid& solid, const Facets& facets, const std::vect
 /// Whether eight octants, some of them filled, can have these labels around their corner, counterclockwise
 /// seen from outside. O(1).
 bool is_corner_of_cubes(const std::vector<Label>& around);
+
+/// What lies between two lines at a corner.
+struct Sector {
+  Label label = 0;
+  Label begins = 0; ///< the axis along which the line goes away at which it begins, counterclockwise
+  friend auto operator<=>(const Sector&, const Sector&) = default;
+};
+/// The same with the ways of the lines.
+bool is_corner_of_cubes(const std::vector<Sector>& around);
 
 struct Fault {
   enum class Kind : std::uint8_t {

@@ -35,4 +35,9 @@ struct Image {
 std::vector<Point> unfolded_image(const product::Solid& solid, const Planes& planes, double scale,
                                   std::vector<Point> start, const Progress& progress = {});
 
+/// The same where only vertices move that are so many edges away from a folded tetrahedron. Of a large mesh
+/// with few folds the whole energy tells little about these.
+std::vector<Point> locally_unfolded_image(const product::Solid& solid, const Planes& planes, double scale,
+                                          std::vector<Point> start, int rings, const Progress& progress = {});
+
 } // namespace tetrarch::polycube

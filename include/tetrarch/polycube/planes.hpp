@@ -25,6 +25,8 @@ namespace tetrarch::polycube {
 struct LabeledSolid {
   product::Solid solid;
   std::vector<Label> label;
+  std::vector<Point>
+      image{}; ///< of each vertex, if it has one: new vertices get the mean of those they lie between
 };
 
 struct Planes {
@@ -43,5 +45,10 @@ Planes planes(const product::Solid& solid, const Charts& charts);
 /// Throws InputError where a piece would have no volume in double precision; Stopped. O(n log n) a round of
 /// splitting; a few rounds.
 LabeledSolid with_room(LabeledSolid labeled, const Progress& progress = {});
+
+/// The same with the edges split of those tetrahedra and of all that share an edge with them, and with room:
+/// where tetrahedra are folded and cannot unfold there is more freedom then.
+LabeledSolid refined(const LabeledSolid& labeled, const std::vector<int>& tetrahedra,
+                     const Progress& progress = {});
 
 } // namespace tetrarch::polycube

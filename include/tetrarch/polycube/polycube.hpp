@@ -35,10 +35,17 @@ struct Frame {
 [[nodiscard]] std::optional<Frame> frame(const product::Solid& solid, const std::vector<Label>& label,
                                          const Progress& progress = {});
 
+/// Corners whose lines, as planes are placed, go away in ways that no cubes have: around them, tetrahedra
+/// must be flipped. Vertices of the boundary, increasing. O(n log n).
+template <class Number>
+std::vector<int> twisted_corners(const Frame& frame, const std::vector<Number>& places);
+
 /// A solid with its map to a polycube of unit cubes.
 struct Polycube {
-  std::vector<Point> image; ///< of each vertex of the frame's solid
-  std::vector<int> places;  ///< of each plane
+  LabeledSolid
+      labeled; ///< that of the frame, refined where it would not unfold, with the image of each vertex
+  std::vector<int> places;  ///< of each plane of the frame
+  std::vector<int> twisted; ///< corners of the frame
   std::vector<int> flipped; ///< tetrahedra whose image has no positive volume, decided exactly
 };
 

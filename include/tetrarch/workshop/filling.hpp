@@ -5,12 +5,16 @@
 ///
 ///     const FilledSolid found = filled_solid(solid_of(open_mesh("part.off")));
 ///     if (found.verdict() == Verdict::yes) use(found.search.best->mesh);
+///
+/// They begin as cells of a grid, or as cubes of a polycube that is made for the solid.
 
 #include "tetrarch/core/progress.hpp"
 #include "tetrarch/hex/fill.hpp"
+#include "tetrarch/polycube/polycube.hpp"
 #include "tetrarch/workshop/fields.hpp"
 #include "tetrarch/workshop/verdict.hpp"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,11 +30,21 @@ namespace tetrarch::workshop {
 /// or if TetGen is missing or fails; Stopped. Near-linear, but for TetGen.
 product::Solid solid_of(format::Soup soup, const Progress& progress = {});
 
-/// The hexahedra, or none where no grid fits. It owns all that it speaks of.
+/// The polycube from which hexahedra began.
+struct SolidPolycube {
+  polycube::Labeling labeling; ///< of the solid's boundary
+  polycube::Polycube polycube; ///< its map
+  double edge = 0;             ///< the length that became about 1
+  int labelings = 0;           ///< that there were to choose from
+};
+
+/// The hexahedra, or none where no grid fits or no polycube is found. It owns all that it speaks of.
 struct FilledSolid {
   hex::Search search;
   hex::FillOptions options;
   double seconds = 0;
+  bool is_from_polycube = false;
+  std::optional<SolidPolycube> polycube{}; ///< that of the best result, else of the last try
 
   /// Undecided unless there are no doubts.
   Verdict verdict() const;
@@ -41,6 +55,10 @@ struct FilledSolid {
 /// Seconds for thousands of hexahedra. Throws Stopped.
 FilledSolid filled_solid(const product::Solid& solid, const hex::FillOptions& options = {},
                          const Progress& progress = {});
+
+/// The same from a polycube made for the solid.
+FilledSolid polycube_filled_solid(const product::Solid& solid, const hex::FillOptions& options = {},
+                                  const Progress& progress = {});
 
 Rows rows_of(const FilledSolid& found);
 
