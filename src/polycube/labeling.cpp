@@ -132,6 +132,7 @@ private:
 
 std::vector<Label> mended(const product::Solid& solid, const Facets& facets, std::vector<Label> label,
                           const Progress& progress) {
+  progress.step("mending labels");
   Mending mending(solid, facets, std::move(label), progress);
   while (!mending.is_done() && mending.improve()) {
   }
