@@ -108,7 +108,10 @@ Polycubes::Polycubes(const product::Solid& solid, const Progress& progress)
 
 std::optional<Polycubes::Found> Polycubes::at(double edge, const Progress& progress) {
   std::optional<Found> best;
+  int tried = 0;
   for (std::size_t k = 0; k < labelings_.size(); ++k) {
+    constexpr int most_tried = 3;
+    if (tried == most_tried) break;
     // What has more faults than the best has no better map, and costs as much.
     if (best && labelings_[k].faults.size() > labelings_.front().faults.size()) break;
     if (is_framed_[k] == 0) {
@@ -116,6 +119,7 @@ std::optional<Polycubes::Found> Polycubes::at(double edge, const Progress& progr
       frames_[k] = frame(solid_, labelings_[k].label, progress);
     }
     if (!frames_[k]) continue;
+    ++tried;
     auto made = polycube(*frames_[k], edge, progress);
     if (!made || (best && made->flipped.size() >= best->polycube.flipped.size())) continue;
     best = Found{&labelings_[k], &*frames_[k], *std::move(made)};

@@ -242,6 +242,22 @@ format::MeshDocument document_of(const FilledSolid& found) {
   return document_of(found.search.best->mesh, found.search.best->quality.scaled_jacobian);
 }
 
+format::MeshDocument document_of(const SolidPolycube& polycube) {
+  const polycube::LabeledSolid& labeled = polycube.polycube.labeled;
+  format::Soup soup;
+  soup.points = labeled.image;
+  soup.tetrahedra = labeled.solid.mesh.tetrahedra;
+  for (int t = 0; t < labeled.solid.boundary.triangle_count(); ++t) {
+    soup.triangles.push_back(
+        {labeled.solid.corner(t, 0), labeled.solid.corner(t, 1), labeled.solid.corner(t, 2)});
+    soup.triangle_tags.push_back(labeled.label[t] + 1);
+  }
+  format::MeshDocument document = format::mesh_document_of(std::move(soup));
+  document.fields.push_back(
+      format::field_of("solid", format::MeshField::On::vertices, labeled.solid.mesh.points));
+  return document;
+}
+
 template <>
 const FieldList<FilledSolid>& fields_of<FilledSolid>() {
   static const FieldList<FilledSolid> fields{

@@ -23,6 +23,7 @@ struct HexArguments {
   std::string input;
   std::vector<std::string> outputs;
   std::string start = "grid";
+  std::string polycube_output;
   std::optional<double> edge;
   std::optional<std::int64_t> cells;
   double sharp = hex::FillOptions{}.sharp;
@@ -76,6 +77,8 @@ void require_known_extension(const std::string& path) {
 Result run_hex(const HexArguments& options, const Context& context) {
   if (options.edge && options.cells) throw InputError("--edge and --cells exclude each other");
   for (const std::string& path : options.outputs) require_known_extension(path);
+  if (!options.polycube_output.empty() && options.start != "polycube")
+    throw InputError("--polycube-output needs --start polycube");
   Result result;
   const product::Solid solid = read_filled(options, result, context);
   const hex::FillOptions wish = wanted(options, solid, context);
@@ -88,6 +91,11 @@ Result run_hex(const HexArguments& options, const Context& context) {
   if (found.verdict() != workshop::Verdict::yes)
     result.warnings.push_back("the result is not to be relied on: " + joined(found.doubts(), "; "));
   if (found.search.best) add_hex_files(result, found, options);
+  if (!options.polycube_output.empty() && found.polycube) {
+    format::MeshDocument document = document_of(*found.polycube);
+    add_provenance(document, {{"command", "hex"}, {"input", options.input}});
+    result.files.push_back({options.polycube_output, write_mesh_json(document)});
+  }
   return result;
 }
 
@@ -107,6 +115,12 @@ Run declare_hex(OptionTable& table) {
            "what hexahedra begin with: cells of a grid, or cubes of a polycube that is made for the solid")
       .one_of({"grid", "polycube"})
       .with_default();
+  table
+      .add("--polycube-output", o->polycube_output,
+           "write the polycube (.json): tetrahedra at their places on it, labels of its boundary, and the "
+           "places "
+           "in the solid")
+      .output_file();
   table
       .add("--cells", o->cells,
            "about how many hexahedra to make (default: " + std::to_string(hex::usual_cells) +

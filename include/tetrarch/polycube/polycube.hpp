@@ -60,7 +60,8 @@ public:
   /// Labels the solid, which must outlive the object.
   explicit Polycubes(const product::Solid& solid, const Progress& progress = {});
 
-  /// The polycube of the first labeling that flips nothing, or flips least; nothing where there is none.
+  /// The polycube of the first labeling that flips nothing, or flips least, out of three; nothing where there
+  /// is none.
   struct Found {
     const Labeling* labeling = nullptr;
     const Frame* frame = nullptr;

@@ -66,6 +66,10 @@ Rows rows_of(const FilledSolid& found);
 /// none. O(n).
 format::MeshDocument document_of(const FilledSolid& found);
 
+/// The polycube as a file keeps it: tetrahedra where the map puts them, triangles of the boundary with the
+/// tags 1 to 6 for +x, -x, ... -z, and the field `solid`, each vertex's place in the solid. O(n).
+format::MeshDocument document_of(const SolidPolycube& polycube);
+
 template <>
 const FieldList<FilledSolid>& fields_of<FilledSolid>();
 
