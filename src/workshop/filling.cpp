@@ -179,11 +179,16 @@ FilledSolid filled_solid(const product::Solid& solid, const hex::FillOptions& op
   return result;
 }
 
+double polycube_edge_for(const product::Solid& solid, std::int64_t cells) {
+  return std::cbrt(product::volume(solid) / static_cast<double>(cells));
+}
+
 FilledSolid polycube_filled_solid(const product::Solid& solid, const hex::FillOptions& options,
                                   const Progress& progress) {
   const auto start = std::chrono::steady_clock::now();
   FilledSolid result;
   result.options = options;
+  if (!options.edge) result.options.edge = polycube_edge_for(solid, options.cells.value_or(hex::usual_cells));
   result.is_from_polycube = true;
   polycube::Polycubes polycubes(solid, progress);
   std::map<double, SolidPolycube> tried;
@@ -199,7 +204,7 @@ FilledSolid polycube_filled_solid(const product::Solid& solid, const hex::FillOp
     polycube::Cells cells = polycube::cells(made.polycube.labeled.solid, made.polycube.labeled.image, inner);
     return sized(std::move(cells.mesh));
   };
-  result.search = hex::search(solid, cubes, options, progress);
+  result.search = hex::search(solid, cubes, result.options, progress);
   const double edge = result.search.best ? result.search.best->edge : result.search.finest_edge;
   if (const auto found = tried.find(edge); found != tried.end()) result.polycube = std::move(found->second);
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

@@ -161,7 +161,7 @@ class Hex(InFolder):
     def test_one_signal_ends_it(self):
         """In whatever stage it is: within a second of the processor's time; the sanitizers make that several."""
         torus = os.path.join(SOURCE, "tests/data/genus5_smooth.mesh")
-        grid, polycube = ["--cells", "20000"], ["--cells", "3000", "--start", "polycube"]
+        grid, polycube = ["--cells", "40000"], ["--cells", "3000", "--start", "polycube"]
         for number, after, wish in ((signal.SIGINT, 0.2, grid), (signal.SIGTERM, 1, grid), (signal.SIGINT, 2.5, grid),
                                     (signal.SIGTERM, 5, grid), (signal.SIGINT, 0.3, polycube), (signal.SIGTERM, 2, polycube)):
             job = subprocess.Popen([PROGRAM, "hex", torus, *wish, "-o", self.path("never.vtu")],

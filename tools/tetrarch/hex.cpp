@@ -45,12 +45,13 @@ hex::FillOptions wanted(const HexArguments& options, const product::Solid& solid
   result.sharp = options.sharp;
   result.volume_tolerance = options.volume_tolerance;
   result.hausdorff_tolerance = options.hausdorff_tolerance;
-  const double edge =
-      options.edge ? *options.edge : hex::edge_for(solid, options.cells.value_or(hex::usual_cells));
+  const std::int64_t cells = options.cells.value_or(hex::usual_cells);
+  const double edge = options.edge                  ? *options.edge
+                      : options.start == "polycube" ? workshop::polycube_edge_for(solid, cells)
+                                                    : hex::edge_for(solid, cells);
   constexpr double bytes_of_gigabyte = 1e9;
   result.most_bytes = bytes_of_gigabyte * allowed_gigabytes(context);
-  require_memory(options.edge ? "--edge " + rounded(edge)
-                              : "--cells " + std::to_string(options.cells.value_or(hex::usual_cells)),
+  require_memory(options.edge ? "--edge " + rounded(edge) : "--cells " + std::to_string(cells),
                  hex::bytes_for_edge(solid, edge), allowed_gigabytes(context));
   return result;
 }

@@ -14,6 +14,7 @@
 #include "tetrarch/workshop/fields.hpp"
 #include "tetrarch/workshop/verdict.hpp"
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -56,7 +57,12 @@ struct FilledSolid {
 FilledSolid filled_solid(const product::Solid& solid, const hex::FillOptions& options = {},
                          const Progress& progress = {});
 
-/// The same from a polycube made for the solid.
+/// The length of edges with which about so many cubes of a polycube have the volume of a solid. There is no
+/// layer, so that edges are shorter than `hex::edge_for` says.
+double polycube_edge_for(const product::Solid& solid, std::int64_t cells);
+
+/// The same from a polycube made for the solid. Where no length of edges is wanted, it is
+/// `polycube_edge_for`.
 FilledSolid polycube_filled_solid(const product::Solid& solid, const hex::FillOptions& options = {},
                                   const Progress& progress = {});
 
