@@ -164,6 +164,15 @@ std::vector<Labeling> labelings(const product::Solid& solid, const Progress& pro
     const int bad_b = badness(b.faults);
     return bad_a != bad_b ? bad_a < bad_b : a.misfit < b.misfit;
   });
+  // Straight lines are easier to map: the smoothest comes first that hardly fits less than the best.
+  constexpr double hardly_less = 1.1;
+  std::size_t first = 0;
+  for (std::size_t k = 1; k < result.size(); ++k)
+    if (badness(result[k].faults) == badness(result[0].faults) &&
+        result[k].misfit <= hardly_less * result[0].misfit && result[k].smoothness > result[first].smoothness)
+      first = k;
+  std::rotate(result.begin(), result.begin() + static_cast<std::ptrdiff_t>(first),
+              result.begin() + static_cast<std::ptrdiff_t>(first) + 1);
   return result;
 }
 

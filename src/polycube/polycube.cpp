@@ -5,6 +5,7 @@
 #include "tetrarch/polycube/map.hpp"
 #include "tetrarch/product/polycube_pullback.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <map>
@@ -104,16 +105,19 @@ std::optional<Polycube> polycube(const Frame& frame, double edge, const Progress
 
 Polycubes::Polycubes(const product::Solid& solid, const Progress& progress)
     : solid_(solid), labelings_(polycube::labelings(solid, progress)), frames_(labelings_.size()),
-      is_framed_(labelings_.size()) {}
+      is_framed_(labelings_.size()) {
+  for (std::size_t k = 0; k < labelings_.size(); ++k) order_.push_back(k);
+}
 
 std::optional<Polycubes::Found> Polycubes::at(double edge, const Progress& progress) {
   std::optional<Found> best;
-  int tried = 0;
-  for (std::size_t k = 0; k < labelings_.size(); ++k) {
-    constexpr int most_tried = 3;
-    if (tried == most_tried) break;
+  constexpr std::size_t most_tried = 3;
+  std::size_t tried = 0;
+  // What did well before is tried first.
+  const std::vector<std::size_t> order = order_;
+  for (const std::size_t k : order) {
     // What has more faults than the best has no better map, and costs as much.
-    if (best && labelings_[k].faults.size() > labelings_.front().faults.size()) break;
+    if (tried == most_tried || labelings_[k].faults.size() > labelings_.front().faults.size()) break;
     if (is_framed_[k] == 0) {
       is_framed_[k] = 1;
       frames_[k] = frame(solid_, labelings_[k].label, progress);
@@ -123,7 +127,10 @@ std::optional<Polycubes::Found> Polycubes::at(double edge, const Progress& progr
     auto made = polycube(*frames_[k], edge, progress);
     if (!made || (best && made->flipped.size() >= best->polycube.flipped.size())) continue;
     best = Found{&labelings_[k], &*frames_[k], *std::move(made)};
-    if (best->polycube.flipped.empty()) break;
+    if (!best->polycube.flipped.empty()) continue;
+    order_.erase(std::find(order_.begin(), order_.end(), k));
+    order_.insert(order_.begin(), k);
+    break;
   }
   return best;
 }

@@ -34,7 +34,7 @@ std::vector<Label> mended(const product::Solid& solid, const Facets& facets, std
                           const Progress& progress = {});
 
 /// One for each smoothness, equal ones once, all of them mended; those of fewest faults first, then those of
-/// least misfit. Throws Stopped.
+/// least misfit, but the smoothest of those first that hardly fit less. Throws Stopped.
 std::vector<Labeling> labelings(const product::Solid& solid, const Progress& progress = {});
 
 } // namespace tetrarch::polycube

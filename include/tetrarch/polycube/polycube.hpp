@@ -17,6 +17,7 @@
 #include "tetrarch/polycube/planes.hpp"
 #include "tetrarch/polycube/rounding.hpp"
 
+#include <cstddef>
 #include <optional>
 #include <vector>
 
@@ -75,6 +76,7 @@ private:
   std::vector<Labeling> labelings_;
   std::vector<std::optional<Frame>> frames_;
   std::vector<char> is_framed_;
+  std::vector<std::size_t> order_; ///< in which labelings are tried
 };
 
 } // namespace tetrarch::polycube
