@@ -118,6 +118,23 @@ int euler(const product::HexMesh& mesh) {
          static_cast<int>(squares.size());
 }
 
+/// Whether all corners are in one plane, or on two parallel lines.
+bool must_be_flat(const Planes& planes, const std::array<int, 4>& tet) {
+  for (std::size_t a = 0; a < 3; ++a) {
+    std::set<int> of_axis;
+    std::set<std::pair<int, int>> lines;
+    for (const int v : tet) {
+      of_axis.insert(planes.holds[v][a]);
+      lines.insert({planes.holds[v][(a + 1) % 3], planes.holds[v][(a + 2) % 3]});
+    }
+    if (of_axis.size() == 1 && *of_axis.begin() >= 0) return true;
+    if (lines.size() <= 2 &&
+        std::all_of(lines.begin(), lines.end(), [](const auto& l) { return l.first >= 0 && l.second >= 0; }))
+      return true;
+  }
+  return false;
+}
+
 struct Known {
   const char* name;
   std::vector<Cube> cubes;
@@ -209,7 +226,10 @@ TEST_CASE("random sets of cubes are polycubes without faults", "[polycube]") {
 }
 
 TEST_CASE("no triangle alone can lower the energy of labels", "[polycube]") {
-  const product::Solid solid = ball(6);
+  solid::TetMesh bumpy = ball(6).mesh;
+  support::Random random(3);
+  for (Point& p : bumpy.points) p = (1 + 0.04 * random.uniform()) * p;
+  const product::Solid solid = product::solid_of(std::move(bumpy));
   const Facets facets(solid);
   const surface::Surface& surface = solid.boundary;
   const auto apart = [](Label a, Label b) { return a == b ? 0 : are_opposite(a, b) ? 2 : 1; };
@@ -297,25 +317,45 @@ TEST_CASE("there is room between planes after splitting", "[polycube]") {
   for (std::size_t t = 0; t < label.size(); ++t) before[label[t]] += old.area[t];
   for (std::size_t t = 0; t < roomy.label.size(); ++t) after[roomy.label[t]] += split.area[t];
   for (Label l = 0; l < labels; ++l) CHECK(after[l] == Approx(before[l]));
-  // No four corners in one plane, nor on two parallel lines.
-  const Planes held = planes(roomy.solid, charts_of(roomy.solid, roomy.label));
-  const auto must_be_flat = [&](const std::array<int, 4>& tet) {
-    for (std::size_t a = 0; a < 3; ++a) {
-      std::set<int> of_axis;
-      std::set<std::pair<int, int>> lines;
-      for (const int v : tet) {
-        of_axis.insert(held.holds[v][a]);
-        lines.insert({held.holds[v][(a + 1) % 3], held.holds[v][(a + 2) % 3]});
-      }
-      if (of_axis.size() == 1 && *of_axis.begin() >= 0) return true;
-      if (lines.size() <= 2 && std::all_of(lines.begin(), lines.end(),
-                                           [](const auto& l) { return l.first >= 0 && l.second >= 0; }))
-        return true;
-    }
-    return false;
-  };
   const auto& tets = roomy.solid.mesh.tetrahedra;
-  CHECK(std::none_of(tets.begin(), tets.end(), must_be_flat));
+  const Planes held = planes(roomy.solid, charts_of(roomy.solid, roomy.label));
+  CHECK(std::none_of(tets.begin(), tets.end(), [&](const auto& tet) { return must_be_flat(held, tet); }));
+}
+
+TEST_CASE("a tetrahedron between two parallel lines is split", "[polycube]") {
+  // A frame, at whose corner one tetrahedron joins an upright edge outside with one of the hole: a and c. The
+  // upper c is moved away a little, so that it has a volume.
+  solid::TetMesh mesh = product::tetrahedra(product::Polycube{1, without(block(3, 3, 1), {{1, 1, 0}})});
+  const auto at = [&](double x, double y, double z) {
+    return static_cast<int>(std::find(mesh.points.begin(), mesh.points.end(), Point{x, y, z}) -
+                            mesh.points.begin());
+  };
+  const std::array<int, 2> a{at(0, 0, 0), at(0, 0, 1)};
+  const std::array<int, 2> b{at(1, 0, 0), at(1, 0, 1)};
+  const std::array<int, 2> c{at(1, 1, 0), at(1, 1, 1)};
+  const std::array<int, 2> d{at(0, 1, 0), at(0, 1, 1)};
+  mesh.points[c[1]] = {1.15, 0.85, 1};
+  // The first cube is cut otherwise: two prisms beside the tetrahedron.
+  const std::vector<std::array<int, 4>> corner{
+      {a[0], a[1], c[0], c[1]}, {a[0], b[0], c[0], c[1]}, {a[0], b[0], b[1], c[1]}, {a[0], a[1], b[1], c[1]},
+      {d[0], c[0], a[0], a[1]}, {d[0], c[0], c[1], a[1]}, {d[0], d[1], c[1], a[1]}};
+  mesh.tetrahedra.erase(mesh.tetrahedra.begin(), mesh.tetrahedra.begin() + 6);
+  mesh.tetrahedra.insert(mesh.tetrahedra.begin(), corner.begin(), corner.end());
+  for (auto& tet : mesh.tetrahedra)
+    if (volume_of(mesh.points, tet) < 0) std::swap(tet[0], tet[1]);
+  const product::Solid solid = product::solid_of(std::move(mesh));
+  const std::vector<Label> label = nearest_labels(solid);
+  const Charts all = charts_of(solid, label);
+  CHECK(all.count() == 10);
+  CHECK(must_be_flat(planes(solid, all), solid.corners(0)));
+  const auto framed = frame(solid, label);
+  REQUIRE(framed);
+  CHECK(framed->labeled.solid.size() > solid.size());
+  for (const auto& tet : framed->labeled.solid.mesh.tetrahedra)
+    CHECK_FALSE(must_be_flat(framed->planes, tet));
+  const auto made = polycube::polycube(*framed, 0.5);
+  REQUIRE(made);
+  require_polycube_map(made->labeled);
 }
 
 TEST_CASE("rounded gaps are at least 1 and nearly the best", "[polycube]") {
