@@ -91,8 +91,8 @@ std::optional<Polycube> polycube(const Frame& frame, double edge, const Progress
   result.labeled.image = unfolded_image(solid, frame.planes, 1 / edge, std::move(image->points), progress);
   unfold_folds(result, frame.planes, edge, progress);
   // Folds that few tetrahedra have are stuck: they want more freedom.
-  constexpr int most_rounds = 4;
-  constexpr std::size_t few = 200;
+  constexpr int most_rounds = 3;
+  constexpr std::size_t few = 60;
   Polycube finer = result;
   for (int round = 0; round < most_rounds && !result.flipped.empty() && finer.flipped.size() < few; ++round) {
     finer.labeled = refined(finer.labeled, finer.flipped, progress);

@@ -192,8 +192,13 @@ FilledSolid polycube_filled_solid(const product::Solid& solid, const hex::FillOp
   result.is_from_polycube = true;
   polycube::Polycubes polycubes(solid, progress);
   std::map<double, SolidPolycube> tried;
+  int failures = 0;
   const auto cubes = [&](double edge, const Progress& inner) -> std::optional<hex::SizedHexahedra> {
+    // Where two scales had folds that stay, others hardly do better.
+    constexpr int most_failures = 2;
+    if (failures == most_failures) return std::nullopt;
     std::optional<polycube::Polycubes::Found> found = polycubes.at(edge, inner);
+    if (!found || !found->polycube.flipped.empty()) ++failures;
     if (!found) return std::nullopt;
     const SolidPolycube& made =
         tried
@@ -205,8 +210,11 @@ FilledSolid polycube_filled_solid(const product::Solid& solid, const hex::FillOp
     return sized(std::move(cells.mesh));
   };
   result.search = hex::search(solid, cubes, result.options, progress);
-  const double edge = result.search.best ? result.search.best->edge : result.search.finest_edge;
-  if (const auto found = tried.find(edge); found != tried.end()) result.polycube = std::move(found->second);
+  // The last try has the shortest edges.
+  if (result.search.best)
+    result.polycube = std::move(tried.at(result.search.best->edge));
+  else if (!tried.empty())
+    result.polycube = std::move(tried.begin()->second);
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return result;
 }

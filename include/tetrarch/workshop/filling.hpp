@@ -61,8 +61,8 @@ FilledSolid filled_solid(const product::Solid& solid, const hex::FillOptions& op
 /// layer, so that edges are shorter than `hex::edge_for` says.
 double polycube_edge_for(const product::Solid& solid, std::int64_t cells);
 
-/// The same from a polycube made for the solid. Where no length of edges is wanted, it is
-/// `polycube_edge_for`.
+/// The same from a polycube made for the solid; two scales at most are tried at which the map stays folded.
+/// Where no length of edges is wanted, it is `polycube_edge_for`.
 FilledSolid polycube_filled_solid(const product::Solid& solid, const hex::FillOptions& options = {},
                                   const Progress& progress = {});
 
