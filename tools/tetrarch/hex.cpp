@@ -78,6 +78,8 @@ void require_known_extension(const std::string& path) {
 Result run_hex(const HexArguments& options, const Context& context) {
   if (options.edge && options.cells) throw InputError("--edge and --cells exclude each other");
   for (const std::string& path : options.outputs) require_known_extension(path);
+  if (!options.polycube_output.empty() && !format::has_extension(options.polycube_output, ".json"))
+    throw InputError({options.polycube_output, 0}, "no known format of polycubes (expected .json)");
   if (!options.polycube_output.empty() && options.start != "polycube")
     throw InputError("--polycube-output needs --start polycube");
   Result result;
