@@ -27,6 +27,7 @@ std::string ending_of(Found f) {
   const hex::Search& search = f.search;
   const std::string tried = counted(search.grids, f.is_from_polycube ? "polycube" : "grid") +
                             " tried, the last of edges " + rounded(search.finest_edge) + ", and none finer: ";
+  if (f.has_stuck_folds) return tried + "folds of two maps stay";
   switch (search.ending) {
   case hex::Ending::good:
     break;
@@ -193,10 +194,17 @@ FilledSolid polycube_filled_solid(const product::Solid& solid, const hex::FillOp
   polycube::Polycubes polycubes(solid, progress);
   std::map<double, SolidPolycube> tried;
   int failures = 0;
+  int scales = 0;
+  double last_edge = 0;
   const auto cubes = [&](double edge, const Progress& inner) -> std::optional<hex::SizedHexahedra> {
     // Where two scales had folds that stay, others hardly do better.
     constexpr int most_failures = 2;
-    if (failures == most_failures) return std::nullopt;
+    if (failures == most_failures) {
+      result.has_stuck_folds = true;
+      return std::nullopt;
+    }
+    ++scales;
+    last_edge = edge;
     std::optional<polycube::Polycubes::Found> found = polycubes.at(edge, inner);
     if (!found || !found->polycube.flipped.empty()) ++failures;
     if (!found) return std::nullopt;
@@ -210,6 +218,8 @@ FilledSolid polycube_filled_solid(const product::Solid& solid, const hex::FillOp
     return sized(std::move(cells.mesh));
   };
   result.search = hex::search(solid, cubes, result.options, progress);
+  result.search.grids = scales;
+  result.search.finest_edge = last_edge;
   // The last try has the shortest edges.
   if (result.search.best)
     result.polycube = std::move(tried.at(result.search.best->edge));
@@ -328,10 +338,11 @@ const FieldList<FilledSolid>& fields_of<FilledSolid>() {
       {{"ridges_of_solid", "", "sharp ridges that the solid has"},
        [](Found f) -> Tree { return f.search.best->ridges_of_solid; },
        is_there},
-      {{"grids", "", "grids tried, one finer than the other"},
+      {{"grids", "", "grids or polycubes tried, one finer than the other"},
        [](Found f) -> Tree { return f.search.grids; }},
-      {{"ended_by", "", "why no finer grid was tried: good, finest, effort or memory"},
-       [](Found f) -> Tree { return name_of(f.search.ending); }},
+      {{"ended_by", "",
+        "why no finer grid was tried: good, finest, effort, memory, or folds of the map to a polycube"},
+       [](Found f) -> Tree { return f.has_stuck_folds ? "folds" : name_of(f.search.ending); }},
       {{"doubts", "", "why the status is 4, one text each"}, [](Found f) -> Tree { return f.doubts(); }},
       {{"seconds", "seconds", "time taken"}, [](Found f) -> Tree { return f.seconds; }},
   };

@@ -45,6 +45,7 @@ struct FilledSolid {
   hex::FillOptions options;
   double seconds = 0;
   bool is_from_polycube = false;
+  bool has_stuck_folds = false;            ///< at two scales, so that no more were tried
   std::optional<SolidPolycube> polycube{}; ///< that of the best result, else of the last try
 
   /// Undecided unless there are no doubts.
