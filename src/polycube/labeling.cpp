@@ -13,7 +13,6 @@ namespace tetrarch::polycube {
 namespace {
 
 using namespace numeric;
-using surface::Side;
 
 /// How bad faults are, all together: turning points may go away in the map, the others hardly.
 int badness(const std::vector<Fault>& faults) {

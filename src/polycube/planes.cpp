@@ -87,8 +87,8 @@ LabeledSolid relabeled(const LabeledSolid& old, solid::TetMesh mesh, const Origi
 LabeledSolid split_at(const LabeledSolid& old, const std::vector<solid::EdgePoint>& edges) {
   solid::SplitTets split = solid::split_edges(old.solid.mesh, edges);
   LabeledSolid result = relabeled(old, std::move(split.mesh), [&](const TetFace& f) {
-    const auto face = static_cast<std::size_t>(4 * f.tet + f.face);
-    return old.solid.outside[static_cast<std::size_t>(4 * split.origin[f.tet] + split.face_of[face])];
+    const int face = split.face_of[static_cast<std::size_t>(4) * f.tet + f.face];
+    return old.solid.outside[static_cast<std::size_t>(4) * split.origin[f.tet] + face];
   });
   if (!old.image.empty())
     for (const solid::EdgePoint& e : edges)
@@ -162,6 +162,7 @@ LabeledSolid with_faces_split(const LabeledSolid& old, const Planes& planes, boo
 
 Planes planes(const product::Solid& solid, const Charts& charts) {
   std::vector<int> parent;
+  parent.reserve(static_cast<std::size_t>(charts.count()));
   for (int chart = 0; chart < charts.count(); ++chart) parent.push_back(chart);
   for (const std::vector<int>& around : charts.around)
     for (const int a : around)
@@ -210,6 +211,7 @@ LabeledSolid refined(const LabeledSolid& labeled, const std::vector<int>& tetrah
                      const Progress& progress) {
   const auto edges_of = [&](int t) {
     std::vector<Edge> edges;
+    edges.reserve(6);
     const auto& v = labeled.solid.corners(t);
     for (std::size_t i = 0; i < 4; ++i)
       for (std::size_t j = 0; j < i; ++j) edges.push_back(edge_of(v[i], v[j]));
@@ -225,6 +227,7 @@ LabeledSolid refined(const LabeledSolid& labeled, const std::vector<int>& tetrah
       all.insert(edges.begin(), edges.end());
   }
   std::vector<solid::EdgePoint> splits;
+  splits.reserve(all.size());
   for (const auto& [from, to] : all) splits.push_back({from, to, 1.0 / 2});
   return with_room(split_at(labeled, splits), progress);
 }

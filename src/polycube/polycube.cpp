@@ -61,15 +61,17 @@ template std::vector<int> twisted_corners(const Frame& frame, const std::vector<
 
 namespace {
 
-/// Unfolds around folds, if there are any. Larger surroundings were tried: they hardly ever did better.
+/// Unfolds around folds, if there are any; in larger surroundings, too, if they are few.
 void unfold_folds(Polycube& polycube, const Planes& planes, double edge, const Progress& progress) {
-  constexpr int rings = 3;
+  constexpr std::size_t few = 5;
   LabeledSolid& labeled = polycube.labeled;
   polycube.flipped = product::folded(labeled.solid, labeled.image);
-  if (polycube.flipped.empty()) return;
-  labeled.image =
-      locally_unfolded_image(labeled.solid, planes, 1 / edge, std::move(labeled.image), rings, progress);
-  polycube.flipped = product::folded(labeled.solid, labeled.image);
+  for (const int rings : {3, 8}) {
+    if (polycube.flipped.empty() || (rings > 3 && polycube.flipped.size() > few)) return;
+    labeled.image =
+        locally_unfolded_image(labeled.solid, planes, 1 / edge, std::move(labeled.image), rings, progress);
+    polycube.flipped = product::folded(labeled.solid, labeled.image);
+  }
 }
 
 } // namespace
