@@ -206,12 +206,14 @@ bool is_preferred(const Filling& a, const Filling& b, const FillOptions& options
   return a.quality.minimum > b.quality.minimum;
 }
 
-/// With one length of edges; nothing where the grid has not the solid's genus.
-std::optional<Filling> filled_with(const product::Solid& solid, double edge, const FillOptions& options,
-                                   const Progress& progress) {
+/// With one length of edges; nothing where there is nothing to begin with. Without a `start`, cells of a
+/// grid.
+std::optional<Filling> filled_with(const product::Solid& solid, double edge, const Start& start,
+                                   const FillOptions& options, const Progress& progress) {
   const Features all = features(solid, {.sharp = options.sharp, .least_extent = edge});
   const Targets targets(solid, all);
-  std::optional<SizedHexahedra> cells = cells_in(solid, targets, edge, progress);
+  std::optional<SizedHexahedra> cells =
+      start ? start(edge, progress) : cells_in(solid, targets, edge, progress);
   if (!cells) return std::nullopt;
   FitOptions gently;
   gently.rounds = 5;
@@ -293,6 +295,11 @@ double bytes_for_edge(const product::Solid& solid, double edge) {
 }
 
 Search search(const product::Solid& solid, const FillOptions& options, const Progress& progress) {
+  return search(solid, {}, options, progress);
+}
+
+Search search(const product::Solid& solid, const Start& start, const FillOptions& options,
+              const Progress& progress) {
   double edge = options.edge ? *options.edge : edge_for(solid, options.cells.value_or(usual_cells));
   const double finest = edge * finest_part;
   const double most_cells = options.most_effort * cells_for(solid, edge);
@@ -310,7 +317,7 @@ Search search(const product::Solid& solid, const FillOptions& options, const Pro
     }
     cells += cells_for(solid, edge);
     result.finest_edge = edge;
-    std::optional<Filling> found = filled_with(solid, edge, options, progress);
+    std::optional<Filling> found = filled_with(solid, edge, start, options, progress);
     const double finer = found ? finer_part(*found, options) : coarsest_step;
     if (found) {
       found->refinements = result.grids;

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Hexahedra that fill a solid: what the program says of them, and what is in the files."""
+import json
 import math
 import os
 import signal
@@ -160,8 +161,10 @@ class Hex(InFolder):
     def test_one_signal_ends_it(self):
         """In whatever stage it is: within a second of the processor's time; the sanitizers make that several."""
         torus = os.path.join(SOURCE, "tests/data/genus5_smooth.mesh")
-        for number, after in ((signal.SIGINT, 0.2), (signal.SIGTERM, 1), (signal.SIGINT, 2.5), (signal.SIGTERM, 5)):
-            job = subprocess.Popen([PROGRAM, "hex", torus, "--cells", "20000", "-o", self.path("never.vtu")],
+        grid, polycube = ["--cells", "40000"], ["--cells", "3000", "--start", "polycube"]
+        for number, after, wish in ((signal.SIGINT, 0.2, grid), (signal.SIGTERM, 1, grid), (signal.SIGINT, 2.5, grid),
+                                    (signal.SIGTERM, 5, grid), (signal.SIGINT, 0.3, polycube), (signal.SIGTERM, 2, polycube)):
+            job = subprocess.Popen([PROGRAM, "hex", torus, *wish, "-o", self.path("never.vtu")],
                                    stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
             while self.seconds(job) < after * SLOWER:
                 self.assertIsNone(job.poll())
@@ -195,3 +198,52 @@ class Hex(InFolder):
         # Without the rod it would be 3 over the diagonal.
         self.assertLess(made["hausdorff"], 0.1 * 3 / math.hypot(5.4, 4.6, 3), made)
         self.assertEqual(status == 0, made["doubts"] == [])
+
+    def test_a_polycube_of_a_solid(self):
+        """A frame of eight cubes, its outside rounded a little: its polycube, and hexahedra that begin there."""
+        places = [(x, y, 0) for x in range(3) for y in range(3) if (x, y) != (1, 1)]
+        points, tetrahedra = cubes(places)
+        rounded = [[p[0] + 0.1 * math.sin(p[1]), p[1], p[2] + 0.05 * p[0]] for p in points]
+        frame = self.solid("frame.mesh", rounded, tetrahedra)
+        made_at, polycube_at = self.path("frame_hex.mesh"), self.path("polycube.json")
+        status, made = run_json("hex", frame, "--start", "polycube", "--edge", "0.25", "--sharp", "30", "-o", made_at,
+                                "--polycube-output", polycube_at)
+        self.assertEqual((status, made["doubts"]), (0, []), made)
+        # By hand: outside 4 sides, inside 4, top and bottom; 8 corners outside and 8 inside.
+        self.assertEqual(made["labels"], {"charts": 10, "corners": 16, "turning_points": 0, "other_faults": 0})
+        self.assertEqual((made["flipped"], made["inverted"]), (0, 0))
+        points, hexahedra = self.read(made_at)
+        self.assertEqual(len(hexahedra), made["hexahedra"])
+        self.assertLessEqual(made["min_scaled_jacobian"], self.least_at_corners(points, hexahedra) + 1e-6)
+        with open(polycube_at, encoding="utf-8") as file:
+            polycube = json.load(file)
+        # No tetrahedron is turned over, neither in the solid nor on the polycube; the volume is a number of cubes.
+        solid = next(f["values"] for f in polycube["fields"] if f["name"] == "solid")
+        for at in (polycube["vertices"], solid):
+            volumes = [determinant(*(minus(at[v], at[t[0]]) for v in t[1:])) / 6 for t in polycube["tetrahedra"]]
+            self.assertGreater(min(volumes), 0)
+        cubes_of_it = sum(determinant(*(minus(polycube["vertices"][v], polycube["vertices"][t[0]]) for v in t[1:])) / 6
+                          for t in polycube["tetrahedra"])
+        self.assertAlmostEqual(cubes_of_it, round(cubes_of_it), delta=1e-6)
+        # Without a layer there is a hexahedron for each; a layer below all of the surface adds some.
+        self.assertGreaterEqual(made["hexahedra"], round(cubes_of_it))
+        # Triangles with the tag 2 a + 1 lie in a plane across axis a and face along it, those with 2 a + 2 against it.
+        for triangle, tag in zip(polycube["triangles"], polycube["triangle_tags"]):
+            axis = (tag - 1) // 2
+            p, q, r = (polycube["vertices"][v] for v in triangle)
+            self.assertEqual([q[axis], r[axis]], [round(p[axis])] * 2)
+            b, c = [(axis + 1) % 3, (axis + 2) % 3]
+            area = (q[b] - p[b]) * (r[c] - p[c]) - (q[c] - p[c]) * (r[b] - p[b])
+            self.assertGreater(area if tag % 2 == 1 else -area, 0)
+        done = run("hex", frame, "--polycube-output", self.path("never.json"))
+        self.assertEqual((done.returncode, "needs --start polycube" in done.stderr), (2, True), done.stderr)
+
+    def test_a_solid_without_a_polycube(self):
+        """A slanted needle of one tetrahedron faces no axis well: what is wrong with its labels is told, with places."""
+        points = [[0, 0, 0], [10, 9, 8], [10, 9.5, 8], [10.2, 9, 8.3]]
+        status, made = run_json("hex", self.solid("needle.mesh", points, [[0, 1, 2, 3]]), "--start", "polycube", "--cells", "50",
+                                "-o", self.path("never.vtu"))
+        self.assertEqual((status, made["hexahedra"]), (4, 0))
+        self.assertGreater(made["labels"]["other_faults"], 0)
+        self.assertRegex(made["doubts"][0], r"^no valid labeling: .* at \(")
+        self.assertFalse(os.path.exists(self.path("never.vtu")))

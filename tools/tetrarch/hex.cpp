@@ -22,6 +22,8 @@ namespace {
 struct HexArguments {
   std::string input;
   std::vector<std::string> outputs;
+  std::string start = "grid";
+  std::string polycube_output;
   std::optional<double> edge;
   std::optional<std::int64_t> cells;
   double sharp = hex::FillOptions{}.sharp;
@@ -43,12 +45,13 @@ hex::FillOptions wanted(const HexArguments& options, const product::Solid& solid
   result.sharp = options.sharp;
   result.volume_tolerance = options.volume_tolerance;
   result.hausdorff_tolerance = options.hausdorff_tolerance;
-  const double edge =
-      options.edge ? *options.edge : hex::edge_for(solid, options.cells.value_or(hex::usual_cells));
+  const std::int64_t cells = options.cells.value_or(hex::usual_cells);
+  const double edge = options.edge                  ? *options.edge
+                      : options.start == "polycube" ? workshop::polycube_edge_for(solid, cells)
+                                                    : hex::edge_for(solid, cells);
   constexpr double bytes_of_gigabyte = 1e9;
   result.most_bytes = bytes_of_gigabyte * allowed_gigabytes(context);
-  require_memory(options.edge ? "--edge " + rounded(edge)
-                              : "--cells " + std::to_string(options.cells.value_or(hex::usual_cells)),
+  require_memory(options.edge ? "--edge " + rounded(edge) : "--cells " + std::to_string(cells),
                  hex::bytes_for_edge(solid, edge), allowed_gigabytes(context));
   return result;
 }
@@ -75,16 +78,27 @@ void require_known_extension(const std::string& path) {
 Result run_hex(const HexArguments& options, const Context& context) {
   if (options.edge && options.cells) throw InputError("--edge and --cells exclude each other");
   for (const std::string& path : options.outputs) require_known_extension(path);
+  if (!options.polycube_output.empty() && !format::has_extension(options.polycube_output, ".json"))
+    throw InputError({options.polycube_output, 0}, "no known format of polycubes (expected .json)");
+  if (!options.polycube_output.empty() && options.start != "polycube")
+    throw InputError("--polycube-output needs --start polycube");
   Result result;
   const product::Solid solid = read_filled(options, result, context);
-  const workshop::FilledSolid found =
-      workshop::filled_solid(solid, wanted(options, solid, context), context.progress);
+  const hex::FillOptions wish = wanted(options, solid, context);
+  const workshop::FilledSolid found = options.start == "polycube"
+                                          ? workshop::polycube_filled_solid(solid, wish, context.progress)
+                                          : workshop::filled_solid(solid, wish, context.progress);
   result.status = status_of(found.verdict());
   result.json = tree_of(found);
   result.text = block(rows_of(found));
   if (found.verdict() != workshop::Verdict::yes)
     result.warnings.push_back("the result is not to be relied on: " + joined(found.doubts(), "; "));
   if (found.search.best) add_hex_files(result, found, options);
+  if (!options.polycube_output.empty() && found.polycube) {
+    format::MeshDocument document = document_of(*found.polycube);
+    add_provenance(document, {{"command", "hex"}, {"input", options.input}});
+    result.files.push_back({options.polycube_output, write_mesh_json(document)});
+  }
   return result;
 }
 
@@ -98,6 +112,17 @@ Run declare_hex(OptionTable& table) {
       .add("-o,--output", o->outputs,
            "write hexahedra (.mesh, .vtu, .json), or what is to be seen of them (.glb, .ply, .obj); may be "
            "repeated")
+      .output_file();
+  table
+      .add("--start", o->start,
+           "what hexahedra begin with: cells of a grid, or cubes of a polycube that is made for the solid")
+      .one_of({"grid", "polycube"})
+      .with_default();
+  table
+      .add("--polycube-output", o->polycube_output,
+           "write the polycube (.json): tetrahedra at their places on it, labels of its boundary, and the "
+           "places "
+           "in the solid")
       .output_file();
   table
       .add("--cells", o->cells,

@@ -16,10 +16,12 @@
 
 #include "tetrarch/core/progress.hpp"
 #include "tetrarch/hex/deviation.hpp"
+#include "tetrarch/hex/grid.hpp"
 #include "tetrarch/product/hex_mesh.hpp"
 #include "tetrarch/product/solid.hpp"
 
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <optional>
 #include <string>
@@ -84,11 +86,18 @@ double edge_for(const product::Solid& solid, std::int64_t cells);
 /// Bytes that `fill` takes at most for edges of this length, roughly. In double, so that nothing overflows.
 double bytes_for_edge(const product::Solid& solid, double edge);
 
+/// Hexahedra near the surface of a solid, with edges of about this length, from which a filling begins;
+/// nothing where there are none.
+using Start = std::function<std::optional<SizedHexahedra>(double edge, const Progress&)>;
+
 /// Where the result is not good the grid is made finer, by a factor of 0.8 to 0.6 each time and 0.3 in all;
 /// the best result is kept. Throws Stopped.
 [[nodiscard]] Search search(const product::Solid& solid, const FillOptions& options = {},
                             const Progress& progress = {});
-/// The best result of `search`.
+/// The same from other hexahedra than cells of a grid; they must be a manifold of the solid's genus.
+[[nodiscard]] Search search(const product::Solid& solid, const Start& start, const FillOptions& options,
+                            const Progress& progress = {});
+/// The best result of the first `search`.
 [[nodiscard]] std::optional<Filling> fill(const product::Solid& solid, const FillOptions& options = {},
                                           const Progress& progress = {});
 
