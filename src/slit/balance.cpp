@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "tetrarch/slit/balance.hpp"
+#include "tetrarch/core/error.hpp"
 
 #include "placing.hpp"
 #include "tetrarch/numeric/flat_triangle.hpp"
@@ -53,6 +54,13 @@ Task task(const surface::TriangleMesh& mesh, const std::vector<char>& ears, std:
   const double scale = std::sqrt(area_of_image / area);
   for (unfold::FlatElement& e : result.elements)
     for (Complex& edge : e.wanted) edge *= scale;
+  const auto kept = std::remove_if(result.elements.begin(), result.elements.end(), [&](const auto& e) {
+    if (numeric::cross(e.wanted[0], e.wanted[1]) > 0 && numeric::cross(e.now[0], e.now[1]) > 0) return false;
+    ++result.left_out; // by rounding again
+    for (const int v : e.corner) result.freedom[v].kind = Kind::fixed;
+    return true;
+  });
+  result.elements.erase(kept, result.elements.end());
   return result;
 }
 
@@ -207,7 +215,11 @@ FreeMap free_map(const surface::TriangleMesh& mesh, const std::vector<Complex>& 
     area_of_image +=
         std::abs(numeric::twice_area({result.position[v[0]], result.position[v[1]], result.position[v[2]]}));
   }
-  for (Complex& z : result.position) z *= std::sqrt(area / area_of_image);
+  const double growth = std::sqrt(area / area_of_image);
+  if (!(std::isfinite(growth) && growth > 0))
+    throw InputError(
+        "areas of the surface are beyond doubles, which a map in its unit needs: choose another unit");
+  for (Complex& z : result.position) z *= growth;
   const auto image = [&](int t) {
     const auto& v = mesh.surface.corners(t);
     return FlatTriangle{result.position[v[0]], result.position[v[1]], result.position[v[2]]};

@@ -44,14 +44,17 @@ std::vector<Complex> unfolded(const FoldedPart& part) {
     problem.freedom.push_back(freedom_of(part.freedom[v]));
   }
   for (const PartElement& e : part.elements) {
+    const Complex first = wish * (e.wanted[1] - e.wanted[0]);
+    const Complex second = wish * (e.wanted[2] - e.wanted[0]);
+    if (!(numeric::cross(first, second) > 0))
+      return part.points; // no energy asks for a triangle without area
     const int d = static_cast<int>(points.size());
     Point over = points[e.corner[0]];
     over[2] = 1;
     points.push_back(over);
     problem.freedom.push_back({Freedom::Kind::plane, {0, 0, 1}});
     problem.elements.push_back(unfold::element({e.corner[0], e.corner[1], e.corner[2], d},
-                                               {above(wish * (e.wanted[1] - e.wanted[0]), 0),
-                                                above(wish * (e.wanted[2] - e.wanted[0]), 0), above(0, 1)}));
+                                               {above(first, 0), above(second, 0), above(0, 1)}));
   }
   unfold::Options budget;
   budget.most_rounds = 40;

@@ -283,7 +283,8 @@ SplitCount lay_path(MarkedSurface& surface, int m, const Places& from, const Pla
     const int end = search.run(from(open), to(open));
     if (end < 0) {
       if (!split_face_between(surface, open, from(open), to(open)))
-        throw PreconditionError("no path leads there: the surface is cut in two");
+        throw InputError("no path leads there without crossing another: edges without length mislead the "
+                         "search for short ones");
       ++count.faces;
       continue;
     }
