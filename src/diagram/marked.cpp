@@ -4,7 +4,9 @@
 #include "sphere.hpp"
 
 #include "tetrarch/core/error.hpp"
+#include "tetrarch/diagram/exterior.hpp"
 #include "tetrarch/diagram/moves.hpp"
+#include "tetrarch/moves/marked.hpp"
 #include "tetrarch/numeric/union_find.hpp"
 
 #include <algorithm>
@@ -154,6 +156,10 @@ moves::MarkedTriangulation marked_exterior(const MarkedDiagram& marked, const Ex
   moves::MarkedComplex complex(rest->tri, rest_skeleton, edge_orders(rest_skeleton, rest->marks));
   moves::reduce(complex, progress);
   return complex.compact();
+}
+
+moves::MarkedTriangulation marked_exterior(const MarkedDiagram& marked) {
+  return marked_exterior(marked, ExteriorOptions());
 }
 
 } // namespace tetrarch::diagram

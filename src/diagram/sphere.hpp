@@ -3,6 +3,7 @@
 
 /// How the 3-sphere is made over a diagram (exterior.hpp tells the whole story).
 
+#include "tetrarch/diagram/exterior.hpp"
 #include "tetrarch/diagram/marked.hpp"
 
 namespace tetrarch::diagram {

@@ -263,6 +263,13 @@ std::vector<Corner> corners(const MarkedSurface& surface, const Surface& open) {
   return result;
 }
 
+/// Where edges have none, any path is a shortest one, also one that parts the surface.
+static bool has_edge_without_length(const MarkedSurface& surface) {
+  for (int k = 0; k < surface.surface.side_count(); ++k)
+    if (!(side_length(surface, Side(k)) > 0)) return true;
+  return false;
+}
+
 std::vector<double> path_lengths(const MarkedSurface& surface, const Surface& open,
                                  const std::vector<SideEnd>& from, const Tolls& tolls) {
   Search search(surface, open, tolls);
@@ -282,9 +289,12 @@ SplitCount lay_path(MarkedSurface& surface, int m, const Places& from, const Pla
     Search search(surface, open, tolls);
     const int end = search.run(from(open), to(open));
     if (end < 0) {
-      if (!split_face_between(surface, open, from(open), to(open)))
+      if (!split_face_between(surface, open, from(open), to(open))) {
+        if (!has_edge_without_length(surface))
+          throw PreconditionError("no path leads there: the surface is cut in two");
         throw InputError("no path leads there without crossing another: edges without length mislead the "
                          "search for short ones");
+      }
       ++count.faces;
       continue;
     }

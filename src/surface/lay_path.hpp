@@ -64,9 +64,9 @@ struct SplitCount {
 using Places = std::function<std::vector<SideEnd>(const Surface& open)>;
 
 /// Lays a shortest path from one of `from` to one of `to` and marks it with m, so that the path runs along
-/// its sides of mark m. Throws `InputError` if they are on different parts of the surface cut open: shortest
-/// paths do not part it, but where edges have no length any path is one.
-/// Returns what had to be split. A stop is heard between searches. O(n log n).
+/// its sides of mark m. Throws `PreconditionError` if they are on different parts of the surface cut open,
+/// and `InputError` if edges have no length: any path is a shortest one then. Returns what had to be split. A
+/// stop is heard between searches. O(n log n).
 SplitCount lay_path(MarkedSurface& surface, int m, const Places& from, const Places& to,
                     const Progress& progress = {}, const Tolls& tolls = {});
 

@@ -14,6 +14,7 @@
 #include "tetrarch/format/orb.hpp"
 #include "tetrarch/format/text.hpp"
 #include "tetrarch/hyperbolic/search.hpp"
+#include "tetrarch/moves/marked.hpp"
 #include "tetrarch/workshop/text.hpp"
 
 #include <algorithm>

@@ -7,9 +7,11 @@
 #include "tetrarch/core/random.hpp"
 #include "tetrarch/core/signature.hpp"
 #include "tetrarch/diagram/curve.hpp"
+#include "tetrarch/diagram/exterior.hpp"
 #include "tetrarch/diagram/read.hpp"
 #include "tetrarch/hyperbolic/orbifold_search.hpp"
 #include "tetrarch/hyperbolic/search.hpp"
+#include "tetrarch/moves/marked.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>

@@ -10,15 +10,19 @@
 
 #include "tetrarch/core/progress.hpp"
 #include "tetrarch/diagram/diagram.hpp"
-#include "tetrarch/diagram/exterior.hpp"
-#include "tetrarch/moves/marked.hpp"
 
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+namespace tetrarch::moves {
+struct MarkedTriangulation; // moves/marked.hpp
+}
+
 namespace tetrarch::diagram {
+
+struct ExteriorOptions; // exterior.hpp
 
 /// What becomes of an edge of the graph: its order (core: marks), or nothing: it is drilled.
 using Fate = std::optional<double>;
@@ -54,7 +58,9 @@ std::optional<MarkedDiagram> read_orb_diagram(std::string_view text, const std::
 /// order 1 go. A null edge between two cusps has no place in a triangulation (hyperbolic: orbifold) and is
 /// drilled, too, which changes nothing: so a circle of order 0 becomes a cusp. As `exterior`; then
 /// O(n^2).
-moves::MarkedTriangulation marked_exterior(const MarkedDiagram& marked, const ExteriorOptions& options = {},
+moves::MarkedTriangulation marked_exterior(const MarkedDiagram& marked, const ExteriorOptions& options,
                                            const Progress& progress = {});
+/// With the usual options.
+moves::MarkedTriangulation marked_exterior(const MarkedDiagram& marked);
 
 } // namespace tetrarch::diagram
