@@ -159,6 +159,7 @@
 #include "tetrarch/numeric/flat_triangle.hpp"
 #include "tetrarch/numeric/instantiate.hpp"
 #include "tetrarch/numeric/matrix4.hpp"
+#include "tetrarch/numeric/maximum.hpp"
 #include "tetrarch/numeric/nearest_triangle.hpp"
 #include "tetrarch/numeric/parallel.hpp"
 #include "tetrarch/numeric/predicates.hpp"

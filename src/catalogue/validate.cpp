@@ -3,6 +3,7 @@
 
 #include "tetrarch/core/signature.hpp"
 #include "tetrarch/hyperbolic/hyperbolize.hpp"
+#include "tetrarch/numeric/maximum.hpp"
 #include "tetrarch/numeric/real50.hpp"
 
 #include <algorithm>
@@ -64,7 +65,7 @@ std::optional<Errors> solve_again(const Manifold& m, hyperbolic::Method method) 
   for (std::size_t t = 0; t < m.dihedral_angles.size(); ++t)
     for (int e = 0; e < 6; ++e) {
       const Real50 difference = Real50(structure.dihedral_angles[t][e]) - Real50(m.dihedral_angles[t][e]);
-      errors.angle = std::max(errors.angle, std::abs(difference.convert_to<double>()));
+      errors.angle = numeric::maximum(errors.angle, std::abs(difference.convert_to<double>()));
     }
   errors.volume = std::abs((Real50(structure.volume) - Real50(m.volume)).convert_to<double>());
   return errors;
@@ -76,17 +77,17 @@ void solve_all_again(const std::vector<Manifold>& table, Validation& out, const 
     progress.step("re-solving", static_cast<double>(k) / static_cast<double>(table.size()));
     const auto newton = solve_again(m, hyperbolic::Method::newton);
     const auto flow = solve_again(m, hyperbolic::Method::flow);
-    if (!newton || newton->angle > newton_angle_bound)
+    if (!newton || !(newton->angle <= newton_angle_bound))
       out.failures.push_back(m.name + ": Newton from length 1");
-    if (!flow || flow->angle > flow_angle_bound)
+    if (!flow || !(flow->angle <= flow_angle_bound))
       out.failures.push_back(m.name + ": Luo's flow from length 1");
     if (newton) {
-      out.max_angle_error = std::max(out.max_angle_error, newton->angle);
-      out.max_volume_error = std::max(out.max_volume_error, newton->volume);
+      out.max_angle_error = numeric::maximum(out.max_angle_error, newton->angle);
+      out.max_volume_error = numeric::maximum(out.max_volume_error, newton->volume);
     }
     if (flow) {
-      out.max_angle_error_flow = std::max(out.max_angle_error_flow, flow->angle);
-      out.max_volume_error_flow = std::max(out.max_volume_error_flow, flow->volume);
+      out.max_angle_error_flow = numeric::maximum(out.max_angle_error_flow, flow->angle);
+      out.max_volume_error_flow = numeric::maximum(out.max_volume_error_flow, flow->volume);
     }
   }
 }

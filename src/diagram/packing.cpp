@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "packing.hpp"
 
+#include "tetrarch/numeric/maximum.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -62,7 +64,7 @@ private:
     for (int v = 0; v < static_cast<int>(flowers_.size()); ++v) {
       if (boundary_[v]) continue;
       const double sum = angle_sum(v);
-      worst = std::max(worst, std::fabs(sum - 2 * std::numbers::pi));
+      worst = numeric::maximum(worst, std::fabs(sum - 2 * std::numbers::pi));
       const double count = 2 * static_cast<double>(flowers_[v].size());
       const double beta = std::sin(sum / count);
       const double delta = std::sin(2 * std::numbers::pi / count);

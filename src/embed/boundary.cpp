@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "tetrarch/embed/boundary.hpp"
+#include "tetrarch/numeric/maximum.hpp"
 
 #include "unroll.hpp"
 
@@ -64,9 +65,9 @@ BoundaryLift lift(const Triangulation& tri, const Skeleton& skeleton, const Doma
     auto& corners = result.corners.emplace_back(corners_of(domain, triangle.at));
     for (Vector4<double>& x : corners) {
       x = triangle.copy * x;
-      result.off_surface = std::max(result.off_surface, distance_from_surface(x, v, result.type));
+      result.off_surface = numeric::maximum(result.off_surface, distance_from_surface(x, v, result.type));
       x = to_picture * x;
-      result.size = std::max(result.size, distance(base_point<double>, x));
+      result.size = numeric::maximum(result.size, distance(base_point<double>, x));
     }
   }
   for (const auto& triangle : triangles)

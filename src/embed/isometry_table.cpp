@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "isometry_table.hpp"
 
+#include "tetrarch/numeric/maximum.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -16,7 +18,7 @@ constexpr double margin = 2 * same_isometry * cells_per_unit;
 double largest_difference(const Matrix4<double>& m, const Matrix4<double>& n) {
   double most = 0;
   for (int i = 0; i < 4; ++i)
-    for (int j = 0; j < 4; ++j) most = std::max(most, std::abs(m[i][j] - n[i][j]));
+    for (int j = 0; j < 4; ++j) most = numeric::maximum(most, std::abs(m[i][j] - n[i][j]));
   return most / n[3][3];
 }
 

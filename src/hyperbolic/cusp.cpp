@@ -2,6 +2,7 @@
 #include "tetrarch/hyperbolic/cusp.hpp"
 
 #include "tetrarch/numeric/ball.hpp"
+#include "tetrarch/numeric/maximum.hpp"
 #include "tetrarch/numeric/union_find.hpp"
 
 #include <algorithm>
@@ -264,7 +265,8 @@ Cusp cusp(const Setting<double>& in, VertexId v) {
   const Measured<double> seen(in, v);
   Cusp found{v, in.skeleton.link(v).orientable, {seen.shape.re, seen.shape.im}, area_of(seen.sides), 0};
   for (const auto& z : seen.translations.all)
-    found.residual = std::max(found.residual, distance_to_lattice(z, seen.shortest[0], seen.shortest[1]));
+    found.residual =
+        numeric::maximum(found.residual, distance_to_lattice(z, seen.shortest[0], seen.shortest[1]));
   return found;
 }
 

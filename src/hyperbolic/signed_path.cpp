@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "signed_path.hpp"
 
+#include "tetrarch/numeric/maximum.hpp"
+
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
@@ -25,7 +27,7 @@ constexpr double least_move = 1e-4;
 double largest_change(const AngleTable<double>& a, const AngleTable<double>& b) {
   double largest = 0;
   for (std::size_t t = 0; t < a.size(); ++t)
-    for (int e = 0; e < 6; ++e) largest = std::max(largest, std::abs(a[t][e] - b[t][e]));
+    for (int e = 0; e < 6; ++e) largest = numeric::maximum(largest, std::abs(a[t][e] - b[t][e]));
   return largest;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "angle_data.hpp"
 #include "tetrarch/numeric/instantiate.hpp"
+#include "tetrarch/numeric/maximum.hpp"
 #include "tetrarch/numeric/scalar.hpp"
 
 #include <algorithm>
@@ -27,8 +28,8 @@ Scalar largest_defect(const AngleData<Scalar>& data, const VertexTypes& types) {
       size += abs(data.rest[edge_number[v][w]]);
     }
     if (turns != 0) size += numeric::pi<Scalar>();
-    worst = std::max(worst, Scalar(abs(Scalar(rest + turns * numeric::pi<Scalar>())) +
-                                   4 * numeric::unit<Scalar>() * size));
+    worst = numeric::maximum(worst, Scalar(abs(Scalar(rest + turns * numeric::pi<Scalar>())) +
+                                           4 * numeric::unit<Scalar>() * size));
   }
   return worst;
 }

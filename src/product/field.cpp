@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "tetrarch/product/field.hpp"
+#include "tetrarch/numeric/maximum.hpp"
 
 #include "tetrarch/core/error.hpp"
 #include "tetrarch/numeric/sparse_cholesky.hpp"
@@ -140,7 +141,7 @@ HarmonicField harmonic_field(const Solid& solid, const Partition& partition, con
   const std::vector<double> flux = solid::fluxes(edges, field.w);
   for (std::size_t v = 0; v < base.size(); ++v) {
     if (base[v] == ceiling_patch) field.flow += flux[v];
-    if (base[v] < 0) field.residual = std::max(field.residual, std::abs(flux[v]));
+    if (base[v] < 0) field.residual = numeric::maximum(field.residual, std::abs(flux[v]));
   }
   field.residual /= field.flow;
   return field;

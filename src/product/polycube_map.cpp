@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include "tetrarch/numeric/maximum.hpp"
 #include "tetrarch/product/polycube.hpp"
 
 #include "hexahedron.hpp"
@@ -170,7 +171,7 @@ void collect(PolycubeHexahedra& result, const std::vector<Image>& images, const 
              const std::vector<int>& vertex) {
   std::vector<int> number(images.size(), -1);
   for (std::size_t node = 0; node < images.size(); ++node) {
-    result.farthest = std::max(result.farthest, images[node].miss);
+    result.farthest = numeric::maximum(result.farthest, images[node].miss);
     if (images[node].is_stuck) {
       result.solid.stuck.push_back(images[node].stuck);
       continue;

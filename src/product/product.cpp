@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "tetrarch/product/product.hpp"
+#include "tetrarch/numeric/maximum.hpp"
 
 #include "tetrarch/core/error.hpp"
 #include "tetrarch/numeric/parallel.hpp"
@@ -190,13 +191,13 @@ Quality quality(const Solid& solid, const std::vector<Point>& uvw) {
     const Point du = gradient_in(solid, t, f[0]);
     const Point dv = gradient_in(solid, t, f[1]);
     const Point dw = gradient_in(solid, t, f[2]);
-    const double error = std::max(cosine(du, dw), cosine(dv, dw));
+    const double error = numeric::maximum(cosine(du, dw), cosine(dv, dw));
     const double weight = volume(solid, t);
     whole += weight;
     q.mean_orthogonality_error += weight * error;
-    q.max_orthogonality_error = std::max(q.max_orthogonality_error, error);
+    q.max_orthogonality_error = numeric::maximum(q.max_orthogonality_error, error);
     q.mean_uv += weight * cosine(du, dv);
-    q.max_uv = std::max(q.max_uv, cosine(du, dv));
+    q.max_uv = numeric::maximum(q.max_uv, cosine(du, dv));
   }
   if (whole > 0) {
     q.mean_orthogonality_error /= whole;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "tetrarch/slit/circular_domain.hpp"
+#include "tetrarch/numeric/maximum.hpp"
 
 #include "full_turn.hpp"
 #include "log_curve.hpp"
@@ -66,7 +67,7 @@ Circle fitted_circle(const std::vector<Complex>& curve) {
   Circle circle{middle + c, std::sqrt(square + std::norm(c)), 0};
   for (const Complex z : curve)
     circle.circularity =
-        std::max(circle.circularity, std::abs(std::abs(z - circle.center) / circle.radius - 1));
+        numeric::maximum(std::abs(std::abs(z - circle.center) / circle.radius - 1), circle.circularity);
   return circle;
 }
 
@@ -142,16 +143,12 @@ Circle fitted_about_zero(const LogCurve& curve) {
   for (const Complex d : curve.offset) log_radius += d.real() / static_cast<double>(curve.size());
   Circle circle{0, std::exp(curve.center.real() + log_radius), 0};
   for (const Complex d : curve.offset)
-    circle.circularity = std::max(circle.circularity, std::abs(std::expm1(d.real() - log_radius)));
+    circle.circularity = numeric::maximum(std::abs(std::expm1(d.real() - log_radius)), circle.circularity);
   return circle;
 }
 
 double unresolved_part(const LogCurve& curve) {
   return unresolved(local(curve));
-}
-
-double greater(double a, double b) {
-  return a > b || std::isnan(a) ? a : b;
 }
 
 void measure(CircularDomain& domain) {
@@ -168,8 +165,8 @@ void measure(CircularDomain& domain) {
       circle.radius *= std::abs(scale);
       domain.circles.push_back(circle);
     }
-    domain.circularity = greater(domain.circles.back().circularity, domain.circularity);
-    domain.unresolved = greater(unresolved_part(curve), domain.unresolved);
+    domain.circularity = numeric::maximum(domain.circles.back().circularity, domain.circularity);
+    domain.unresolved = numeric::maximum(unresolved_part(curve), domain.unresolved);
   }
 }
 
@@ -207,6 +204,8 @@ void iterate(CircularDomain& domain, const CircularOptions& options, const Progr
   }
 }
 
+constexpr int most_samples_of_lost_curves = 1024;
+
 /// How many samples each curve has, and what more of them have gained.
 class Sampling {
 public:
@@ -215,14 +214,14 @@ public:
 
   const std::vector<int>& samples() const { return samples_; }
 
-  /// Doubles those of the curves that are not resolved, as long as it helps. Whether there were any.
+  /// Doubles those of the curves that are not resolved, as long as it helps and may do. Whether there were
+  /// any.
   bool refine(const CircularDomain& domain) {
     bool refined = false;
     for (std::size_t k = 0; k < samples_.size(); ++k) {
       const double now = unresolved_part(domain.curves[k]);
-      if (samples_[k] >= options_.most_samples || now < options_.tolerance / 10 || !(now < before_[k] / 2))
-        continue;
-      before_[k] = now;
+      if (samples_[k] >= options_.most_samples || now < options_.tolerance / 10 || !may_do(k, now)) continue;
+      if (std::isfinite(now)) before_[k] = now;
       samples_[k] *= 2;
       refined = true;
     }
@@ -230,6 +229,22 @@ public:
   }
 
 private:
+  /// What is unresolved falls exponentially in the number of samples once it falls at all: with each doubling
+  /// by a factor that is the square of the last one. Circles that nearly touch fall more slowly, and so much
+  /// is granted; where even that would not do, twice and four times the samples cost minutes for nothing.
+  bool may_do(std::size_t k, double now) const {
+    // Curves that ran into each other; with more samples they may not.
+    if (!std::isfinite(now)) return samples_[k] < most_samples_of_lost_curves;
+    double factor = now / before_[k];
+    if (!(factor < 0.5)) return false;
+    for (int samples = samples_[k]; samples < options_.most_samples && now > options_.tolerance;
+         samples *= 2) {
+      factor *= factor;
+      now *= factor;
+    }
+    return now <= options_.tolerance;
+  }
+
   CircularOptions options_;
   std::vector<int> samples_;
   std::vector<double> before_;
@@ -247,6 +262,7 @@ CircularDomain circular_domain(const SlitRing& ring, const CircularOptions& opti
     if (sampling.refine(domain)) continue; // openings cost next to nothing
     iterate(domain, options, progress);
     if (sampling.refine(domain)) continue;
+    if (!std::isfinite(domain.circularity)) domain = opened_domain(ring, sampling.samples());
     normalise(domain.curves);
     measure(domain);
     domain.found = domain.circularity < options.tolerance && domain.unresolved < options.tolerance;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "periodic.hpp"
 
+#include "tetrarch/numeric/maximum.hpp"
+
 #include "full_turn.hpp"
 #include <unsupported/Eigen/FFT>
 
@@ -61,10 +63,10 @@ double unresolved(const std::vector<Complex>& samples) {
   double high = 0;
   for (std::size_t m = 1; m < n; ++m) {
     const std::size_t frequency = std::min(m, n - m);
-    all = std::max(all, std::abs(c[m]));
-    if (3 * frequency > n) high = std::max(high, std::abs(c[m]));
+    all = numeric::maximum(all, std::abs(c[m]));
+    if (3 * frequency > n) high = numeric::maximum(high, std::abs(c[m]));
   }
-  return all > 0 ? high / all : 0;
+  return all == 0 ? 0 : high / all;
 }
 
 Periodic::Periodic(const std::vector<Complex>& samples) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "tetrarch/slit/quads.hpp"
+#include "tetrarch/numeric/maximum.hpp"
 
 #include "full_turn.hpp"
 #include "quad_points.hpp"
@@ -227,13 +228,13 @@ QuadQuality quality(const QuadMesh& mesh) {
       const double angle = std::atan2(length(cross(next, previous)), dot(next, previous));
       const double error = std::abs(angle - full_turn / 4);
       result.mean_angle_error += error;
-      result.max_angle_error = std::max(result.max_angle_error, error);
+      result.max_angle_error = numeric::maximum(result.max_angle_error, error);
       result.min_edge = std::min(result.min_edge, length(next));
-      result.max_edge = std::max(result.max_edge, length(next));
+      result.max_edge = numeric::maximum(result.max_edge, length(next));
       result.mean_edge += length(next);
     }
     result.mean_warp += warp(p);
-    result.max_warp = std::max(result.max_warp, warp(p));
+    result.max_warp = numeric::maximum(result.max_warp, warp(p));
   }
   const auto quads = static_cast<double>(mesh.quads.size());
   result.mean_angle_error /= 4 * quads;

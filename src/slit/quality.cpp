@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "tetrarch/slit/quality.hpp"
+#include "tetrarch/numeric/maximum.hpp"
 
 #include "full_turn.hpp"
 #include "tetrarch/numeric/flat_triangle.hpp"
@@ -21,11 +22,6 @@ double angle_at(const numeric::FlatTriangle& p, int c) {
   const Complex a = p[(c + 1) % 3] - p[c];
   const Complex b = p[(c + 2) % 3] - p[c];
   return std::abs(std::arg(b * std::conj(a)));
-}
-
-/// The greater one, and NaN once there was one, which std::max drops.
-void raise_to(double& greatest, double x) {
-  if (!(x <= greatest)) greatest = x;
 }
 
 /// The greatest extent along an axis.
@@ -69,7 +65,7 @@ void measure_areas(Distortion& d, const std::vector<double>& area) {
     if (area[t] > 0) {
       const double error = std::abs(2 * d.log_factor[t] - of_whole);
       d.mean_area_error += error * area[t] / whole;
-      raise_to(d.max_area_error, error);
+      d.max_area_error = numeric::maximum(d.max_area_error, error);
     }
 }
 
@@ -97,7 +93,7 @@ Distortion distortion(const surface::TriangleMesh& mesh, const std::vector<char>
       continue;
     }
     result.quasi_conformal.back() = ratio;
-    raise_to(result.max_quasi_conformal, ratio);
+    result.max_quasi_conformal = numeric::maximum(result.max_quasi_conformal, ratio);
     result.log_factor.back() =
         std::log(numeric::twice_area(q) / numeric::twice_area(p)) / 2 + std::log(image_size) - std::log(size);
     const double share = numeric::twice_area(p) * (size / unit) * (size / unit);
@@ -107,7 +103,7 @@ Distortion distortion(const surface::TriangleMesh& mesh, const std::vector<char>
     for (int c = 0; c < 3; ++c) {
       const double error = std::abs(angle_at(p, c) - angle_at(q, c));
       result.mean_angle_error += error;
-      raise_to(result.max_angle_error, error);
+      result.max_angle_error = numeric::maximum(result.max_angle_error, error);
     }
     corners += 3;
   }
@@ -181,18 +177,18 @@ Residuals residuals(const OneForms& forms, const SlitMap& map) {
   Residuals result;
   for (int v = 0; v < surface.vertex_count(); ++v)
     if (loop[v] < 0)
-      raise_to(result.harmonic, std::abs(flux[v]));
+      result.harmonic = numeric::maximum(result.harmonic, std::abs(flux[v]));
     else
       through[loop[v]] += flux[v];
   for (int k = 0; k < forms.loop_count(); ++k) {
     const double wanted = k == map.outer ? full_turn : k == map.inner ? -full_turn : 0.0;
     const double found = period(map.form.imaginary, forms.loops()[k]);
-    raise_to(result.period, std::abs(found - wanted));
-    raise_to(result.flux, std::abs(through[k] - wanted));
+    result.period = numeric::maximum(result.period, std::abs(found - wanted));
+    result.flux = numeric::maximum(result.flux, std::abs(through[k] - wanted));
     const auto radius = [&](surface::SideEnd e) { return std::abs(map.concentric(surface.vertex(e))); };
     const auto& sides = forms.loops()[k].sides;
     for (const surface::SideEnd e : sides)
-      raise_to(result.radius, std::abs(radius(e) - radius(sides.front())));
+      result.radius = numeric::maximum(result.radius, std::abs(radius(e) - radius(sides.front())));
   }
   return result;
 }

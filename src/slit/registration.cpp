@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "tetrarch/slit/registration.hpp"
+#include "tetrarch/numeric/maximum.hpp"
 
 #include "flat_location.hpp"
 #include "full_turn.hpp"
@@ -257,7 +258,7 @@ void locate(const OneForms& forms, const std::vector<const RoundLoop*>& loops, c
   constexpr double margin = 1e-12;
   for (const FlatPoint& found : flat_points(b.surface, target, result.position)) {
     result.outside += static_cast<int>(found.outside > margin);
-    result.farthest = std::max(result.farthest, found.outside);
+    result.farthest = numeric::maximum(result.farthest, found.outside);
     result.at.push_back(found.at);
   }
   // Loops stay on loops, even where triangles are turned over there.
@@ -298,7 +299,7 @@ Eigen::VectorXd measure_distortion(const surface::TriangleMesh& a, Registration&
     if (!is_flipped[t] && ratio == 0) ++result.flattened;
     if (ratio == 0) continue;
     result.mean_quasi_conformal += ratio * area;
-    result.max_quasi_conformal = std::max(result.max_quasi_conformal, ratio);
+    result.max_quasi_conformal = numeric::maximum(result.max_quasi_conformal, ratio);
     measured += area;
   }
   if (measured > 0) result.mean_quasi_conformal /= measured;
@@ -326,7 +327,7 @@ void compare(const surface::TriangleMesh& a, const Eigen::VectorXd& share, bool 
     result.average.push_back(space_point((own + moved) / 2));
     const double distance = (moved - own).norm();
     result.mean_distance += distance * share[static_cast<int>(v)] / area;
-    result.max_distance = std::max(result.max_distance, distance);
+    result.max_distance = numeric::maximum(result.max_distance, distance);
   }
 }
 

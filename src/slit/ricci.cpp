@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "tetrarch/slit/ricci.hpp"
+#include "tetrarch/numeric/maximum.hpp"
 
 #include "full_turn.hpp"
 #include "tetrarch/core/error.hpp"
@@ -92,7 +93,7 @@ Layout laid_out(const surface::IntrinsicTriangulation& metric) {
   for (int k = 0; k < surface.side_count(); ++k) {
     out.position[surface.apex(Side(k))] = out.corner[k];
     if (const Side m = surface.mate(Side(k)); m.exists())
-      out.gap = std::max(out.gap, std::abs(out.corner[start(m)] - out.corner[end(Side(k))]));
+      out.gap = numeric::maximum(out.gap, std::abs(out.corner[start(m)] - out.corner[end(Side(k))]));
   }
   return out;
 }
@@ -137,7 +138,7 @@ Circle fitted(const std::vector<Complex>& points) {
   Circle circle{mean + center, std::sqrt((xx + yy) / count + std::norm(center)), 0};
   for (const Complex p : points)
     circle.circularity =
-        std::max(circle.circularity, std::abs(std::abs(p - circle.center) / circle.radius - 1));
+        numeric::maximum(circle.circularity, std::abs(std::abs(p - circle.center) / circle.radius - 1));
   return circle;
 }
 
@@ -319,7 +320,7 @@ RicciCircles ricci_circles(const surface::TriangleMesh& mesh, int outer, int inn
   CircularDomain& domain = result.map.domain;
   for (const int k : result.map.loop) {
     domain.circles.push_back(fitted(points_of(mesh.surface, loops[k], position)));
-    domain.circularity = std::max(domain.circularity, domain.circles.back().circularity);
+    domain.circularity = numeric::maximum(domain.circularity, domain.circles.back().circularity);
   }
   domain.rounds = outcome.steps;
   domain.found = outcome.found;

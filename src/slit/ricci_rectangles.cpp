@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "full_turn.hpp"
 #include "tetrarch/core/error.hpp"
+#include "tetrarch/numeric/maximum.hpp"
 #include "tetrarch/slit/ricci.hpp"
 #include "vertex_scaling.hpp"
 
@@ -136,7 +137,8 @@ private:
   static double error(const Eigen::VectorXd& defect) {
     double most = 0;
     for (Eigen::Index h = 0; h < defect.size() / 3; ++h)
-      most = std::max({most, std::hypot(defect[3 * h], defect[3 * h + 1]), std::abs(defect[3 * h + 2])});
+      most = numeric::maximum(
+          most, numeric::maximum(std::hypot(defect[3 * h], defect[3 * h + 1]), std::abs(defect[3 * h + 2])));
     return most;
   }
 

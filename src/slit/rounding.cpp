@@ -16,26 +16,71 @@ namespace {
 using Matrix = Eigen::MatrixXd;
 using Vector = Eigen::VectorXd;
 
-/// Of numbers whose squares neither overflow nor underflow.
-Complex quotient(Complex a, Complex b) {
-  const double inverse = 1 / std::norm(b);
-  return {(a.real() * b.real() + a.imag() * b.imag()) * inverse,
-          (a.imag() * b.real() - a.real() * b.imag()) * inverse};
-}
-
-/// Cauchy's integral over the curve by the trapezoidal rule: C(i, j) = z'(j) / (i N (z(j) - z(i))).
-Eigen::MatrixXcd cauchy(const std::vector<Complex>& curve, const std::vector<Complex>& tangent) {
-  const auto n = static_cast<Eigen::Index>(curve.size());
-  Eigen::MatrixXcd matrix(n, n);
-  for (Eigen::Index j = 0; j < n; ++j) {
-    const Complex factor = tangent[static_cast<std::size_t>(j)] / Complex(0, static_cast<double>(n));
-    for (Eigen::Index i = 0; i < n; ++i)
-      matrix(i, j) =
-          i == j ? 0.0
-                 : quotient(factor, curve[static_cast<std::size_t>(j)] - curve[static_cast<std::size_t>(i)]);
+/// Cauchy's integral over the curve by the trapezoidal rule: C(i, j) = z'(j) / (i N (z(j) - z(i))), 0 for
+/// i = j. The matrix has 16 N^2 bytes, so its entries are made where they are wanted, twice; that costs less
+/// than to fetch them. Differences must have squares that neither overflow nor underflow.
+class Cauchy {
+public:
+  Cauchy(const std::vector<Complex>& curve, const std::vector<Complex>& tangent)
+      : x_(static_cast<Eigen::Index>(curve.size())), y_(x_.size()), factor_x_(x_.size()),
+        factor_y_(x_.size()) {
+    for (Eigen::Index j = 0; j < size(); ++j) {
+      const auto k = static_cast<std::size_t>(j);
+      const Complex factor = tangent[k] / Complex(0, static_cast<double>(curve.size()));
+      x_[j] = curve[k].real();
+      y_[j] = curve[k].imag();
+      factor_x_[j] = factor.real();
+      factor_y_[j] = factor.imag();
+    }
   }
-  return matrix;
-}
+
+  Eigen::Index size() const { return x_.size(); }
+
+  /// Re C, and the sums of its rows.
+  std::pair<Matrix, Vector> real_part() const {
+    Matrix matrix(size(), size());
+    Vector sums = Vector::Zero(size());
+    for (Eigen::Index j = 0; j < size(); ++j) {
+      double* const column = matrix.col(j).data();
+      for_others(j, [&](Eigen::Index i, double x, double y, double inverse) {
+        column[i] = (factor_x_[j] * x + factor_y_[j] * y) * inverse;
+        sums[i] += column[i];
+      });
+      column[j] = 0;
+    }
+    return {std::move(matrix), std::move(sums)};
+  }
+
+  /// Of each i the sum over j of C(i, j) (m(j) - m(i)).
+  std::pair<Vector, Vector> of_differences(const Vector& m) const {
+    Vector real = Vector::Zero(size());
+    Vector imaginary = Vector::Zero(size());
+    for (Eigen::Index j = 0; j < size(); ++j)
+      for_others(j, [&](Eigen::Index i, double x, double y, double inverse) {
+        const double share = (m[j] - m[i]) * inverse;
+        real[i] += (factor_x_[j] * x + factor_y_[j] * y) * share;
+        imaginary[i] += (factor_y_[j] * x - factor_x_[j] * y) * share;
+      });
+    return {std::move(real), std::move(imaginary)};
+  }
+
+private:
+  /// Calls take(i, x, y, 1 / (x^2 + y^2)) with z(j) - z(i) = x + iy for all i but j.
+  template <class Take>
+  void for_others(Eigen::Index j, Take take) const {
+    for (const auto& [from, to] : {std::pair<Eigen::Index, Eigen::Index>(0, j), {j + 1, size()}})
+      for (Eigen::Index i = from; i < to; ++i) {
+        const double x = x_[j] - x_[i];
+        const double y = y_[j] - y_[i];
+        take(i, x, y, 1 / (x * x + y * y));
+      }
+  }
+
+  Vector x_; ///< of z
+  Vector y_;
+  Vector factor_x_; ///< of z'(j) / (i N)
+  Vector factor_y_;
+};
 
 /// Equations of the second kind, whose eigenvalues gather at one point: a few steps do.
 Vector solved(const Matrix& matrix, const Vector& right) {
@@ -58,25 +103,24 @@ struct LogOfSlope {
 /// that place.
 LogOfSlope log_of_slope(const std::vector<Complex>& curve, const std::vector<Complex>& tangent, Complex c,
                         bool is_inside) {
-  const auto size = static_cast<Eigen::Index>(curve.size());
   const double count = static_cast<double>(curve.size());
-  const Eigen::MatrixXcd kernel = cauchy(curve, tangent);
-  Vector right(size);
-  for (Eigen::Index i = 0; i < size; ++i)
+  const Cauchy kernel(curve, tangent);
+  Vector right(kernel.size());
+  for (Eigen::Index i = 0; i < right.size(); ++i)
     right[i] = -std::log(std::abs(curve[static_cast<std::size_t>(i)] - c));
-  Matrix matrix = kernel.real();
-  for (Eigen::Index i = 0; i < size; ++i) matrix(i, i) = (is_inside ? 1.0 : 0.0) - matrix.row(i).sum();
+  auto [matrix, sums] = kernel.real_part();
+  matrix.diagonal() = (is_inside ? 1.0 : 0.0) - sums.array();
   if (!is_inside) matrix.array() += 1.0 / count;
   const Vector density = solved(matrix, right);
 
   const std::vector<Complex> slope =
       derivative(std::vector<Complex>(density.data(), density.data() + density.size()));
-  const Eigen::VectorXcd integral = kernel * density - kernel.rowwise().sum().cwiseProduct(density);
+  const auto [real, imaginary] = kernel.of_differences(density);
   LogOfSlope result;
   for (std::size_t j = 0; j < curve.size(); ++j) {
     const auto i = static_cast<Eigen::Index>(j);
     result.residue -= density[i] * tangent[j] / Complex(0, count);
-    result.values.push_back(integral[i] + slope[j].real() / Complex(0, count) +
+    result.values.push_back(Complex(real[i], imaginary[i]) + slope[j].real() / Complex(0, count) +
                             (is_inside ? density[i] : 0.0));
   }
   return result;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "full_turn.hpp"
 #include "tetrarch/numeric/flat_triangle.hpp"
+#include "tetrarch/numeric/maximum.hpp"
 #include "tetrarch/slit/balance.hpp"
 #include "tetrarch/unfold/relax.hpp"
 
@@ -62,9 +63,10 @@ struct Domain {
 double greatest_ratio(const OneForms& forms, const std::vector<int>& triangles, const Domain& domain) {
   double result = 0;
   for (const int t : triangles)
-    result = std::max(result, numeric::ratio_of_axes(
-                                  numeric::laid_flat(forms.mesh().points, forms.mesh().surface.corners(t)),
-                                  domain.image(t)));
+    result = numeric::maximum(
+        result,
+        numeric::ratio_of_axes(numeric::laid_flat(forms.mesh().points, forms.mesh().surface.corners(t)),
+                               domain.image(t)));
   return result;
 }
 
@@ -210,8 +212,8 @@ void soften(const OneForms& forms, SlitMap& map, const std::vector<int>& loop, S
     return;
   }
   result.moved += static_cast<int>(moves.size());
-  result.before = std::max(result.before, before);
-  result.after = std::max(result.after, after);
+  result.before = numeric::maximum(result.before, before);
+  result.after = numeric::maximum(result.after, after);
 }
 
 Softened soften_all(const OneForms& forms, SlitMap& map, const std::vector<int>& loop, const Domain& domain) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "vertex_scaling.hpp"
 
+#include "tetrarch/numeric/maximum.hpp"
+
 #include "full_turn.hpp"
 
 #include <algorithm>
@@ -34,9 +36,7 @@ double half_arc(double side, double radius) {
 
 double greatest(const std::vector<double>& x) {
   double most = 0;
-  // Written so that NaN wins.
-  for (const double value : x)
-    if (!(std::abs(value) <= most)) most = std::abs(value);
+  for (const double value : x) most = numeric::maximum(most, std::abs(value));
   return most;
 }
 

@@ -2,10 +2,13 @@
 #include "tetrarch/numeric/vector.hpp"
 
 #include "tetrarch/numeric/flat_triangle.hpp"
+#include "tetrarch/numeric/maximum.hpp"
 #include "tetrarch/numeric/real50.hpp"
 #include "tetrarch/numeric/union_find.hpp"
 
 #include <catch2/catch.hpp>
+#include <cmath>
+#include <limits>
 
 using namespace tetrarch::numeric;
 
@@ -48,6 +51,18 @@ TEST_CASE("half a turn in both scalars", "[vector]") {
   CHECK(pi<double>() == static_cast<double>(pi<Real50>()));
   CHECK(1 + unit<double>() == 1.0);
   CHECK(1 + 2 * unit<double>() > 1.0);
+}
+
+TEST_CASE("A maximum of errors keeps what is no number", "[vector]") {
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  CHECK(maximum(1.0, 2.0) == 2);
+  CHECK(maximum(2.0, 1.0) == 2);
+  CHECK(std::isnan(maximum(none, 1.0)));
+  CHECK(std::isnan(maximum(1.0, none)));
+  CHECK(std::isinf(maximum(1.0, std::numeric_limits<double>::infinity())));
+  CHECK(isnan(maximum(Real50(none), Real50(1))));
+  CHECK(isnan(maximum(Real50(1), Real50(none))));
+  CHECK(maximum(Real50(1), Real50(2)) == 2);
 }
 
 TEST_CASE("classes that merge have one root", "[vector]") {

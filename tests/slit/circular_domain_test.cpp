@@ -254,6 +254,25 @@ TEST_CASE("Far from both ends of a long ring slits do not feel where they are", 
   }
 }
 
+TEST_CASE("A slit a thousandth from the outer circle: no circles are found, and minutes are not spent",
+          "[slit]") {
+  // The hole of diameter .019 ends up some 1e-9 from the outer circle, which 8,192 samples do not resolve.
+  const SlitRing ring{0.4242027844570741, {{0.9992403282516767, 0, 0.056779060767359724}}};
+  for (const int most : {128, 256, 512, 1024, 8192}) {
+    CircularOptions options;
+    options.most_samples = most;
+    const CircularDomain domain = circular_domain(ring, options);
+    CAPTURE(most);
+    CHECK_FALSE(domain.found);
+    CHECK(std::isfinite(domain.circularity));
+    CHECK(std::isfinite(domain.unresolved));
+    CHECK(domain.circles[2].radius < 0.1);
+    CHECK(domain.curves[0].size() <= 4096);
+    for (const LogCurve& curve : domain.curves)
+      for (const Complex d : curve.offset) CHECK((std::isfinite(d.real()) && std::isfinite(d.imag())));
+  }
+}
+
 TEST_CASE("Impossible slits are refused", "[slit]") {
   CHECK_THROWS_AS(circular_domain({0, {}}), PreconditionError);
   CHECK_THROWS_AS(circular_domain({0.5, {{0.4, 0, 1}}}), PreconditionError);

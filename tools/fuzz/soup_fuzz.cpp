@@ -11,9 +11,21 @@
 #include "tetrarch/format/mesh_files.hpp"
 #include "tetrarch/surface/boundary_loops.hpp"
 
+#include <algorithm>
+
 namespace {
 
 using namespace tetrarch;
+
+/// Gmsh's files have elements by their labels, and so in another order.
+bool are_equal(const format::Soup& a, const format::Soup& b, bool in_order) {
+  if (in_order) return a.tetrahedra == b.tetrahedra && a.triangles == b.triangles;
+  const auto sorted = [](auto cells) {
+    std::sort(cells.begin(), cells.end());
+    return cells;
+  };
+  return sorted(a.tetrahedra) == sorted(b.tetrahedra) && sorted(a.triangles) == sorted(b.triangles);
+}
 
 void require_round_trips(const format::Soup& soup) {
   using enum format::MeshFormat;
@@ -21,8 +33,7 @@ void require_round_trips(const format::Soup& soup) {
     const std::string text = format::write_soup(soup, form);
     try {
       const format::Soup back = format::read_soup(text, "written");
-      fuzz::require(back.tetrahedra == soup.tetrahedra && back.triangles == soup.triangles &&
-                        format::write_soup(back, form) == text,
+      fuzz::require(are_equal(back, soup, form != gmsh) && format::write_soup(back, form) == text,
                     "read(write(soup)) == soup", text);
     } catch (const InputError& error) {
       // Gmsh's files cannot name a point that is not there.

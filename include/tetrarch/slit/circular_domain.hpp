@@ -78,12 +78,13 @@ struct CircularOptions {
   double tolerance = 1e-9;
   int most_rounds = 60;
   int samples = 128;       ///< of each curve at first, a power of 2
-  int most_samples = 8192; ///< doubled up to here while curves are not resolved
+  int most_samples = 8192; ///< doubled up to here while curves are not resolved and more may resolve them
 };
 
 /// Throws PreconditionError unless 0 < inner < radius < 1 and the length is positive for all slits; there is
 /// no check whether slits touch. If the iteration does not converge, `found` is false and the curves are
-/// those of the last round. For n curves of N samples: O(n^2 N^2) a round, about 5 to 10 rounds.
+/// those of the last round; if curves ran into each other on the way, those before the first round. For n
+/// curves of N samples: O(n^2 N^2) a round, about 5 to 10 rounds; 8 N^2 bytes.
 CircularDomain circular_domain(const SlitRing& ring, const CircularOptions& options = {},
                                const Progress& progress = {});
 
