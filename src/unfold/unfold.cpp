@@ -171,6 +171,7 @@ Unfolded unfold(const Problem& problem, std::vector<Point> start, const Options&
   Movable movable(problem, std::move(start));
   Values x = movable.values();
   double epsilon = worst > 0 ? settled : options.reach * std::max(1.0, std::hypot(worst, 0.1));
+  int idle = 0;
   for (; result.rounds < options.most_rounds && !x.empty(); ++result.rounds) {
     const auto f = [&](const Values& at, Values& gradient) {
       return movable.energy(at, gradient, options.theta, epsilon);
@@ -187,13 +188,15 @@ Unfolded unfold(const Problem& problem, std::vector<Point> start, const Options&
     all = determinants(problem, movable.points());
     worst = *std::min_element(all.begin(), all.end());
     const int now = folded(all);
+    const double gained = 1 - done.value / before;
+    idle = gained < options.flat && now >= result.folded_after ? idle + 1 : 0;
     if (now <= result.folded_after) {
       result.folded_after = now;
       result.points = movable.points();
       result.least_determinant = worst;
     }
-    const double gained = 1 - done.value / before;
-    if (worst > 0 && epsilon <= settled && gained < options.least_gain) break;
+    if (idle >= options.most_idle_rounds || (worst > 0 && epsilon <= settled && gained < options.least_gain))
+      break;
     epsilon = tightened(epsilon, worst, gained);
   }
   result.last = movable.points();

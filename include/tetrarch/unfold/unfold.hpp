@@ -90,6 +90,8 @@ struct Options {
   /// springs hold the whole while few elements open, but what is folded deeply may not find out.
   double reach = 1;
   int most_rounds = 100;    ///< after which what is still folded stays so
+  /// So many rounds on end that gain no more than `flat` and open no fold are enough.
+  int most_idle_rounds = 10;
   int iterations = 300;     ///< of L-BFGS in a round, at most
   double flat = 1e-6;       ///< gain of an iteration, in terms of the energy, at which a round is over
   double least_gain = 1e-3; ///< of the energy in a round, in terms of it: with less, and no fold, it is done
