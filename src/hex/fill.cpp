@@ -206,15 +206,21 @@ bool is_preferred(const Filling& a, const Filling& b, const FillOptions& options
   return a.quality.minimum > b.quality.minimum;
 }
 
-/// With one length of edges; nothing where there is nothing to begin with. Without a `start`, cells of a
-/// grid.
-std::optional<Filling> filled_with(const product::Solid& solid, double edge, const Start& start,
-                                   const FillOptions& options, const Progress& progress) {
+/// What came of one length of edges.
+struct Tried {
+  std::optional<Filling> filling; ///< nothing where there is nothing to begin with
+  bool has_too_many = false;      ///< cells: they were not fitted
+};
+
+/// Without a `start`, cells of a grid.
+Tried filled_with(const product::Solid& solid, double edge, const Start& start, double most_cells,
+                  const FillOptions& options, const Progress& progress) {
   const Features all = features(solid, {.sharp = options.sharp, .least_extent = edge});
   const Targets targets(solid, all);
   std::optional<SizedHexahedra> cells =
       start ? start(edge, progress) : cells_in(solid, targets, edge, progress);
-  if (!cells) return std::nullopt;
+  if (!cells) return {};
+  if (static_cast<double>(cells->mesh.hexahedra.size()) > most_cells) return {std::nullopt, true};
   FitOptions gently;
   gently.rounds = 5;
   gently.weakest = 1;
@@ -245,16 +251,19 @@ std::optional<Filling> filled_with(const product::Solid& solid, double edge, con
     if (fewer.features().ridges.empty()) break;
     if (const auto match = matched(cells->mesh, solid, fewer, progress)) kept = made(*match, fewer);
   }
-  if (kept && kept->quality.bad.empty()) return kept;
+  if (kept && kept->quality.bad.empty()) return {std::move(kept)};
   const Targets smooth(solid, features(solid, {.sharp = 180}));
   Filling rounded = made(unmatched(cells->mesh), smooth);
-  return kept && !is_preferred(rounded, *kept, options) ? std::move(kept) : std::move(rounded);
+  if (!kept || is_preferred(rounded, *kept, options)) kept = std::move(rounded);
+  return {std::move(kept)};
 }
 
 /// Of the edges: the step to the next grid is no smaller, and all steps together no larger.
 constexpr double coarsest_step = 0.8;
 constexpr double finest_step = 0.6;
 constexpr double finest_part = 0.35;
+/// So many are fitted within seconds, whatever was wished.
+constexpr double few_cells = 10000;
 
 /// By what part the next grid's edges are shorter: the distance between surfaces falls at least as they do.
 double finer_part(const Filling& found, const FillOptions& options) {
@@ -303,6 +312,8 @@ Search search(const product::Solid& solid, const Start& start, const FillOptions
   double edge = options.edge ? *options.edge : edge_for(solid, options.cells.value_or(usual_cells));
   const double finest = edge * finest_part;
   const double most_cells = options.most_effort * cells_for(solid, edge);
+  // Of a needle a grid has many more cells than `cells_for` tells from volume and area.
+  const double most_in_grid = std::max(most_cells, few_cells);
   double cells = 0;
   Search result;
   result.genus = product::genus(solid);
@@ -317,7 +328,12 @@ Search search(const product::Solid& solid, const Start& start, const FillOptions
     }
     cells += cells_for(solid, edge);
     result.finest_edge = edge;
-    std::optional<Filling> found = filled_with(solid, edge, start, options, progress);
+    auto [found, has_too_many] = filled_with(solid, edge, start, most_in_grid, options, progress);
+    if (has_too_many) {
+      result.ending = Ending::effort;
+      ++result.grids;
+      break;
+    }
     const double finer = found ? finer_part(*found, options) : coarsest_step;
     if (found) {
       found->refinements = result.grids;

@@ -400,6 +400,17 @@ TEST_CASE("a search ends within its means, and tells how", "[hex]") {
   CHECK(least.grids == 1);
 }
 
+TEST_CASE("a needle is not filled with a thousand times the cells that were wished for", "[hex]") {
+  // 10^8 long: by volume and area 30 cells have edges of some thousands, where nothing lies inside; once a
+  // grid finds a limb, ten thousands of its cells are in a row.
+  const product::Solid needle =
+      product::solid_of({{{0, 0, 0}, {3, 0, 0}, {0, 3, 1}, {1, 1, 1e8}}, {{0, 1, 2, 3}}});
+  const Search found = search(needle, {.cells = 30});
+  CHECK_FALSE(found.best);
+  CHECK(found.ending == Ending::effort);
+  CHECK(found.grids > 1);
+}
+
 TEST_CASE("points of a long and narrow triangle are as many as its area asks for", "[hex]") {
   const product::Solid needle = product::solid_of(support::box({40, 0.5, 0.5}, {1, 1, 1}, 0).mesh);
   const Targets targets(needle, features(needle));

@@ -37,7 +37,8 @@ struct FillOptions {
   /// No grid is made finer for which `bytes_for_edge` tells more.
   double most_bytes = std::numeric_limits<double>::infinity();
   /// No grid is made finer if all grids together would have more hexahedra than so many times those of the
-  /// first, by `cells_for`. A count, so that the same comes out on each machine.
+  /// first, by `cells_for`, and none is fitted that has more by itself and more than 10,000, as grids of
+  /// needles have. A count, so that the same comes out on each machine.
   double most_effort = 32;
 };
 
