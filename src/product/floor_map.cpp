@@ -97,7 +97,8 @@ void try_slit_map(const surface::TriangleMesh& mesh, const std::vector<int>& loo
                   slit::CircularMap& map, const Progress& progress) {
   try {
     const slit::OneForms forms(mesh, progress.silent(), slit::Edges::intrinsic_delaunay);
-    map = slit::circular_map(forms, slit::slit_map(forms, loop_of_wall[0], loop_of_wall[1]));
+    map = slit::circular_map(forms, slit::slit_map(forms, loop_of_wall[0], loop_of_wall[1]), {},
+                             progress.silent());
   } catch (const InputError&) { // what the first one left is not found either
   }
 }
@@ -117,7 +118,7 @@ void map_to_circles(FloorMap& floor, const std::vector<BoundaryLoop>& loops,
     map = std::move(circles.map);
     if (!map.domain.found) try_slit_map(floor.mesh, loop_of_wall, map, progress);
   }
-  slit::unflip_in_disk(floor.mesh, map);
+  slit::unflip_in_disk(floor.mesh, map, slit::Unflip::everywhere, progress.silent());
   floor.found = map.domain.found;
   floor.position = std::move(map.position);
   if (loops.size() > 2) balance(floor);

@@ -55,7 +55,7 @@ Task task(const surface::TriangleMesh& mesh, const std::vector<char>& ears, std:
   for (unfold::FlatElement& e : result.elements)
     for (Complex& edge : e.wanted) edge *= scale;
   const auto kept = std::remove_if(result.elements.begin(), result.elements.end(), [&](const auto& e) {
-    if (numeric::cross(e.wanted[0], e.wanted[1]) > 0 && numeric::cross(e.now[0], e.now[1]) > 0) return false;
+    if (unfold::is_counterclockwise(e)) return false;
     ++result.left_out; // by rounding again
     for (const int v : e.corner) result.freedom[v].kind = Kind::fixed;
     return true;

@@ -25,7 +25,7 @@ Point above(Complex z, double height) {
 
 } // namespace
 
-std::vector<Complex> unfolded(const FoldedPart& part) {
+std::vector<Complex> unfolded(const FoldedPart& part, const Progress& progress) {
   double area = 0;
   double wanted = 0;
   for (const PartElement& e : part.elements) {
@@ -59,7 +59,7 @@ std::vector<Complex> unfolded(const FoldedPart& part) {
   unfold::Options budget;
   budget.most_rounds = 40;
   budget.iterations = 100;
-  const unfold::Unfolded done = unfold::unfold(problem, std::move(points), budget);
+  const unfold::Unfolded done = unfold::unfold(problem, std::move(points), budget, progress);
   std::vector<Complex> result;
   for (std::size_t v = 0; v < part.points.size(); ++v)
     result.push_back(part.freedom[v] ? Complex(done.points[v][0], done.points[v][1]) / scale

@@ -36,6 +36,6 @@ struct FoldedPart {
 /// Where the points go; as they are if nothing is gained. Sizes follow those of the part as it lies: what is
 /// wanted is scaled so that the areas agree in sum. O(elements) in each of some hundred steps, 4,000 at most:
 /// a second for 2,000 elements.
-std::vector<std::complex<double>> unfolded(const FoldedPart& part);
+std::vector<std::complex<double>> unfolded(const FoldedPart& part, const Progress& progress);
 
 } // namespace tetrarch::slit

@@ -14,14 +14,14 @@ namespace tetrarch::slit {
 namespace {
 
 constexpr std::size_t refinement = 8;
-constexpr int points = 10; ///< of a local polynomial
+constexpr int local_points = 10; ///< of a local polynomial
 
 /// 1 / product of (k - j) over the others: the barycentric weights of points 0, 1, ..., 9.
-std::array<double, points> barycentric_weights() {
-  std::array<double, points> weight{};
-  for (int k = 0; k < points; ++k) {
+std::array<double, local_points> barycentric_weights() {
+  std::array<double, local_points> weight{};
+  for (int k = 0; k < local_points; ++k) {
     double product = 1;
-    for (int j = 0; j < points; ++j)
+    for (int j = 0; j < local_points; ++j)
       if (j != k) product *= k - j;
     weight[static_cast<std::size_t>(k)] = 1 / product;
   }
@@ -82,13 +82,13 @@ Periodic::Periodic(const std::vector<Complex>& samples) {
 }
 
 Complex Periodic::operator()(double t) const {
-  static const std::array<double, points> weight = barycentric_weights();
+  static const std::array<double, local_points> weight = barycentric_weights();
   const auto n = static_cast<long long>(fine_.size());
   const double position = t / full_turn * static_cast<double>(n);
-  const auto first = static_cast<long long>(std::floor(position)) - (points / 2 - 1);
+  const auto first = static_cast<long long>(std::floor(position)) - (local_points / 2 - 1);
   Complex numerator = 0;
   double denominator = 0;
-  for (int k = 0; k < points; ++k) {
+  for (int k = 0; k < local_points; ++k) {
     const long long index = first + k;
     const Complex& value = fine_[static_cast<std::size_t>(((index % n) + n) % n)];
     const double distance = position - static_cast<double>(index);

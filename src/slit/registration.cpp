@@ -242,13 +242,13 @@ std::vector<Complex> carried_over(const OneForms& forms, const CircularMap& map,
 
 /// Vertices slide along B's circles.
 void unflip(const OneForms& forms, const CircularMap& map_a, const CircularMap& map_b,
-            const std::vector<int>& matching, Unflip which, Registration& result) {
+            const std::vector<int>& matching, Unflip which, Registration& result, const Progress& progress) {
   CircularMap image{map_a.loop, {}, result.position};
   for (const int k : map_a.loop) {
     const auto curve = std::find(map_b.loop.begin(), map_b.loop.end(), matching[k]) - map_b.loop.begin();
     image.domain.circles.push_back(map_b.domain.circles[static_cast<std::size_t>(curve)]);
   }
-  result.moved = unflip_in_disk(forms.mesh(), image, which).moved;
+  result.moved = unflip_in_disk(forms.mesh(), image, which, progress).moved;
   result.position = image.position;
 }
 
@@ -334,7 +334,8 @@ void compare(const surface::TriangleMesh& a, const Eigen::VectorXd& share, bool 
 } // namespace
 
 Registration registered(const OneForms& a, const CircularMap& map_a, const surface::TriangleMesh& b,
-                        const CircularMap& map_b, const RegistrationOptions& options) {
+                        const CircularMap& map_b, const RegistrationOptions& options,
+                        const Progress& progress) {
   const std::vector<surface::BoundaryLoop> loops_b = surface::boundary_loops(b);
   const std::vector<int> matching = checked_matching(a, map_a, loops_b.size(), map_b, options.matching);
   const std::vector<RoundLoop> from = round_loops(a.mesh(), a.loops(), map_a);
@@ -344,9 +345,9 @@ Registration registered(const OneForms& a, const CircularMap& map_a, const surfa
   result.turn = best_turn(from, to);
   result.position = carried_over(a, map_a, from, to, b.surface, map_b.position, result.turn);
   if (options.unflip)
-    unflip(a, map_a, map_b, matching, Unflip::everywhere, result);
+    unflip(a, map_a, map_b, matching, Unflip::everywhere, result, progress);
   else if (options.unflip_at_slits)
-    unflip(a, map_a, map_b, matching, Unflip::at_slits, result);
+    unflip(a, map_a, map_b, matching, Unflip::at_slits, result, progress);
   locate(a, to, b, map_b.position, result);
   result.flipped = flipped_in_disk(a.mesh(), map_a, result.position);
   const Eigen::VectorXd share = measure_distortion(a.mesh(), result);

@@ -121,11 +121,6 @@ public:
     for (const int k : left_out) freedom_[static_cast<std::size_t>(k)].kind = Kind::fixed;
   }
 
-  /// By rounding, where sizes differ by as much as doubles tell.
-  static bool is_degenerate(const unfold::FlatElement& e) {
-    return !(numeric::cross(e.wanted[0], e.wanted[1]) > 0 && numeric::cross(e.now[0], e.now[1]) > 0);
-  }
-
   /// First towards sizes that are all alike, then towards the sizes reached: angles alone count in the end.
   std::vector<std::pair<int, Complex>> moves() {
     std::vector<Complex> shift(vertex_.size(), 0.0);
@@ -137,7 +132,8 @@ public:
               std::sqrt(numeric::cross(e.now[0], e.now[1]) / numeric::cross(e.wanted[0], e.wanted[1]));
           for (Complex& edge : e.wanted) edge *= grown;
         }
-      if (std::any_of(elements_.begin(), elements_.end(), is_degenerate)) break;
+      // By rounding, where sizes differ by as much as doubles tell.
+      if (!std::all_of(elements_.begin(), elements_.end(), unfold::is_counterclockwise)) break;
       const unfold::Relaxed done = unfold::relaxed(elements_, freedom_);
       for (unfold::FlatElement& e : elements_)
         for (const std::size_t c : {0, 1}) e.now[c] += done.shift[e.corner[c + 1]] - done.shift[e.corner[0]];

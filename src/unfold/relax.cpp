@@ -257,12 +257,17 @@ void require_flat(const std::vector<FlatElement>& elements, const std::vector<Fl
   for (const FlatElement& e : elements) {
     for (const int v : e.corner)
       if (v < 0 || v >= points) throw PreconditionError("relaxed: a corner is none of the points");
-    if (!(numeric::cross(e.wanted[0], e.wanted[1]) > 0 && numeric::cross(e.now[0], e.now[1]) > 0))
+    if (!is_counterclockwise(e))
       throw PreconditionError("relaxed: triangles and their wanted shapes must be counterclockwise");
   }
 }
 
 } // namespace
+
+bool is_counterclockwise(const FlatElement& element) {
+  return numeric::cross(element.wanted[0], element.wanted[1]) > 0 &&
+         numeric::cross(element.now[0], element.now[1]) > 0;
+}
 
 Relaxed relaxed(std::vector<FlatElement> elements, std::vector<FlatFreedom> freedom,
                 const FlatOptions& options, const Progress& progress) {

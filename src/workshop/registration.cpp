@@ -23,9 +23,11 @@ slit::OneForms harmonic_forms(const HoledSurface& surface, const std::string& na
 
 /// The disk with round holes. A slit turns back between vertices: that much is always put right.
 slit::CircularMap round_disk(const slit::OneForms& forms, slit::LoopPair circles, bool unflip,
-                             SurfaceRegistration& found) {
-  slit::CircularMap map = slit::circular_map(forms, slit::slit_map(forms, circles.outer, circles.inner));
-  slit::unflip_in_disk(forms.mesh(), map, unflip ? slit::Unflip::everywhere : slit::Unflip::at_slits);
+                             SurfaceRegistration& found, const Progress& progress) {
+  slit::CircularMap map =
+      slit::circular_map(forms, slit::slit_map(forms, circles.outer, circles.inner), {}, progress);
+  slit::unflip_in_disk(forms.mesh(), map, unflip ? slit::Unflip::everywhere : slit::Unflip::at_slits,
+                       progress);
   if (!map.domain.found) ++found.unround_disks;
   return map;
 }
@@ -78,24 +80,24 @@ struct Registering {
   slit::RegistrationOptions how;
 
   /// By the matching of `how`.
-  slit::Registration points(SurfaceRegistration& found) const {
+  slit::Registration points(SurfaceRegistration& found, const Progress& progress) const {
     const slit::LoopPair circles{how.matching[disk.loop[0]], how.matching[disk.loop[1]]};
-    const slit::CircularMap other = round_disk(b, circles, how.unflip, found);
-    return slit::registered(a, disk, b.mesh(), other, how);
+    const slit::CircularMap other = round_disk(b, circles, how.unflip, found, progress);
+    return slit::registered(a, disk, b.mesh(), other, how, progress);
   }
 };
 
 /// Tries all matchings that circles allow.
-void search_matching(SurfaceRegistration& found, Registering job) {
+void search_matching(SurfaceRegistration& found, Registering job, const Progress& progress) {
   const std::vector<LoopMatching> all =
-      loop_matchings(job.disk, round_disk(job.b, slit::farthest_loops(job.b), false, found));
+      loop_matchings(job.disk, round_disk(job.b, slit::farthest_loops(job.b), false, found, progress));
   const auto end = std::find_if(all.begin(), all.end(),
                                 [&](const LoopMatching& one) { return !is_as_good(one, all.front()); });
   SurfaceRegistration::Search search{0, static_cast<std::size_t>(end - all.begin()), {}};
   if (end != all.end()) search.next_distance = end->distance;
   for (auto one = all.begin(); one != end; ++one) {
     job.how.matching = one->to;
-    slit::Registration points = job.points(found);
+    slit::Registration points = job.points(found, progress);
     if (one != all.begin() && !is_closer(points, found.points)) continue;
     found.points = std::move(points);
     found.matching = one->to;
@@ -162,16 +164,16 @@ SurfaceRegistration registration(HoledSurface first, const HoledSurface& second,
   const slit::OneForms b = harmonic_forms(second, options.names[1], progress);
   SurfaceRegistration found;
   const slit::LoopPair circles = options.circles ? *options.circles : slit::farthest_loops(a);
-  const slit::CircularMap disk = round_disk(a, circles, options.unflip, found);
+  const slit::CircularMap disk = round_disk(a, circles, options.unflip, found, progress);
   Registering job{a, disk, b, {}};
   job.how.aligned = !options.as_placed;
   job.how.unflip = options.unflip;
   job.how.unflip_at_slits = true;
   if (options.matching) {
     job.how.matching = found.matching = *options.matching;
-    found.points = job.points(found);
+    found.points = job.points(found, progress);
   } else {
-    search_matching(found, job);
+    search_matching(found, job, progress);
   }
   found.first = std::move(first);
   return found;

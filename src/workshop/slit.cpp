@@ -21,8 +21,9 @@ struct MovedSlits {
   slit::SlitMap& map;
   bool on_ring;
 
-  slit::Unflipped unflip(slit::Unflip which) const {
-    return on_ring ? slit::unflip_on_ring(forms, map, which) : slit::unflip_on_cylinder(forms, map, which);
+  slit::Unflipped unflip(slit::Unflip which, const Progress& progress) const {
+    return on_ring ? slit::unflip_on_ring(forms, map, which, progress)
+                   : slit::unflip_on_cylinder(forms, map, which, progress);
   }
   slit::Softened soften() const {
     return on_ring ? slit::soften_ends_on_ring(forms, map) : slit::soften_ends_on_cylinder(forms, map);
@@ -41,7 +42,9 @@ struct MovedCircles {
   const surface::TriangleMesh& mesh;
   slit::CircularMap& map;
 
-  slit::Unflipped unflip(slit::Unflip which) const { return slit::unflip_in_disk(mesh, map, which); }
+  slit::Unflipped unflip(slit::Unflip which, const Progress& progress) const {
+    return slit::unflip_in_disk(mesh, map, which, progress);
+  }
   slit::Balanced balance(const Progress& progress) const {
     return slit::balance_in_disk(mesh, map, progress);
   }
@@ -50,8 +53,9 @@ struct MovedCircles {
 
 /// A slit turns back between vertices, whatever the mesh is: that much is always put right.
 template <class Moved>
-void unflip(ConformalMap& made, const Moved& moved, bool everywhere) {
-  const slit::Unflipped done = moved.unflip(everywhere ? slit::Unflip::everywhere : slit::Unflip::at_slits);
+void unflip(ConformalMap& made, const Moved& moved, bool everywhere, const Progress& progress) {
+  const slit::Unflipped done =
+      moved.unflip(everywhere ? slit::Unflip::everywhere : slit::Unflip::at_slits, progress);
   if (everywhere || done.moved > 0) made.unflipped = done;
 }
 
@@ -110,7 +114,7 @@ ConformalMap map_to_slits(const slit::OneForms& forms, slit::SlitMap map, const 
   made.slits = slits_of(map, on_ring);
   made.residuals = slit::residuals(forms, map); // vertices that are moved are no longer harmonic
   const MovedSlits moved{forms, map, on_ring};
-  unflip(made, moved, options.unflip);
+  unflip(made, moved, options.unflip, progress);
   if (const slit::Softened softened = moved.soften(); softened.moved > 0) made.softened = softened;
   if (options.balance) balance(made, moved, progress);
   made.distortion = moved.distortion();
@@ -136,7 +140,7 @@ ConformalMap map_to_circles(const surface::TriangleMesh& mesh, slit::CircularMap
   ConformalMap made;
   made.circles = circles_of(map, options.by_ricci_flow);
   const MovedCircles moved{mesh, map};
-  unflip(made, moved, options.unflip);
+  unflip(made, moved, options.unflip, progress);
   if (options.domain == MapDomain::free) {
     free_shape(made, mesh, map, progress);
     return made;

@@ -16,6 +16,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <map>
+#include <stop_token>
 
 namespace {
 
@@ -229,6 +230,24 @@ TEST_CASE("Vertices pulled out of their place are put back until no triangle is 
       CHECK(std::abs(map.position[domain.mesh.surface.vertex(e)] - circle.center) ==
             Approx(circle.radius).epsilon(1e-12));
     }
+}
+
+TEST_CASE("A hub of a thousand triangles comes back to the middle of its ring") {
+  const surface::TriangleMesh mesh = disk(2, 1000, [](Complex z) { return z; });
+  CircularMap map = disk_map(mesh, 0);
+  REQUIRE(std::abs(map.position[0]) < 1e-12);
+  map.position[0] = {0.8, 0.4};
+  REQUIRE_FALSE(distortion_in_plane(mesh, map.position).flipped.empty());
+  const CircularMap before = map;
+  const Unflipped done = unflip_in_disk(mesh, map);
+  CHECK(done.left == 0);
+  // As far as can be from all sides of a regular polygon is its center.
+  CHECK(std::abs(map.position[0]) < 1e-9);
+
+  std::stop_source stop;
+  stop.request_stop();
+  map = before;
+  CHECK_THROWS_AS(unflip_in_disk(mesh, map, Unflip::everywhere, Progress({}, stop.get_token())), Stopped);
 }
 
 TEST_CASE("On the cylinder and on the ring vertices of slits stay on them") {

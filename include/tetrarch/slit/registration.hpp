@@ -81,6 +81,7 @@ struct RegistrationOptions {
 /// PreconditionError unless it takes the outer loop of `map_a` to that of `map_b`, and so the inner one. Two
 /// right-hand sides for A's factored Laplacian, and O(m log m + n log m) for n vertices and m triangles of B.
 Registration registered(const OneForms& a, const CircularMap& map_a, const surface::TriangleMesh& b,
-                        const CircularMap& map_b, const RegistrationOptions& options = {});
+                        const CircularMap& map_b, const RegistrationOptions& options = {},
+                        const Progress& progress = {});
 
 } // namespace tetrarch::slit

@@ -32,12 +32,15 @@ struct Unflipped {
   int left = 0;        ///< triangles still flipped, or much narrower than in space
 };
 
-/// On the cylinder. Ears stay flat. O(n), and a little time for each vertex near an inverted triangle.
-Unflipped unflip_on_cylinder(const OneForms& forms, SlitMap& map, Unflip which = Unflip::everywhere);
+/// On the cylinder. Ears stay flat. O(n), and a little time for each vertex near an inverted triangle: for
+/// each of a hundred sweeps O(triangles at it).
+Unflipped unflip_on_cylinder(const OneForms& forms, SlitMap& map, Unflip which = Unflip::everywhere,
+                             const Progress& progress = {});
 /// On the ring, where edges are straight.
-Unflipped unflip_on_ring(const OneForms& forms, SlitMap& map, Unflip which = Unflip::everywhere);
+Unflipped unflip_on_ring(const OneForms& forms, SlitMap& map, Unflip which = Unflip::everywhere,
+                         const Progress& progress = {});
 /// On circles other than the outer one ears stay as they are.
 Unflipped unflip_in_disk(const surface::TriangleMesh& mesh, CircularMap& map,
-                         Unflip which = Unflip::everywhere);
+                         Unflip which = Unflip::everywhere, const Progress& progress = {});
 
 } // namespace tetrarch::slit

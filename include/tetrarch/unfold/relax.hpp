@@ -40,6 +40,10 @@ struct FlatElement {
   double weight = 1;
 };
 
+/// Whether both triangles are counterclockwise, as `relaxed` wants them: rounding may have turned thin ones
+/// over.
+bool is_counterclockwise(const FlatElement& element);
+
 /// Where a point may go.
 struct FlatFreedom {
   enum class Kind : std::uint8_t { free, line, circle, fixed } kind = Kind::free;
