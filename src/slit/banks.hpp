@@ -3,14 +3,12 @@
 
 /// Loops put in order on their slits.
 ///
-///           r                 A triangle with side pq on a slit lies above the slit or below it, as its apex
-///          / \                does, and so tells in which direction pq must run. So the slit turns back
-///          where
-///     ----p---q               apexes change sides: at vertices, while the harmonic angle turns back between
-///     ==========>             them, at one vertex sooner or later. And obtuse angles at the boundary may
-///     make
-///                             it waver. Here the right vertices become the ends, and the angles between them
-///                             the nearest ones (in the mean) that rise on one bank and fall on the other.
+///           r              A triangle with side pq on a slit lies above the slit or below it, as its apex
+///          / \             does, and so tells in which direction pq must run. So the slit turns back where
+///     ----p---q            apexes change sides: at vertices, while the harmonic angle turns back between
+///     ==========>          them, at one vertex sooner or later. And obtuse angles at the boundary may make
+///                          it waver. Here the right vertices become the ends, and the angles between them
+///                          the nearest ones (in the mean) that rise on one bank and fall on the other.
 ///
 /// Source: Ayer, Brunk, Ewing, Reid and Silverman, "An empirical distribution function for sampling with
 /// incomplete information" (1955), for the pooling.

@@ -6,10 +6,9 @@
 ///     angle     .-.           The map in which this loop is a circle numbers it by angles psi: of all
 ///       |      /   \          parameters the natural one, in which the angle on the slit is analytic,
 ///       |     /     \         however jagged the loop is on the surface. The slit ends at the extrema of
-///       that
-///       |____/_______\__ psi  function: of parabolas through the vertex of greatest (least) angle and its
-///                             neighbours. (The greatest angle of a vertex misses the end by the square of
-///                             an edge, which square roots make an edge.)
+///       |____/_______\__ psi  that function: of parabolas through the vertex of greatest (least) angle
+///                             and its neighbours. (The greatest angle of a vertex misses the end by the
+///                             square of an edge, which square roots make an edge.)
 
 #include "tetrarch/slit/one_forms.hpp"
 

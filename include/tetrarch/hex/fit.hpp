@@ -3,11 +3,10 @@
 
 /// Hexahedra fitted to the surface of a solid.
 ///
-///      .--.--.           Springs draw the points of the mesh's surface to their homes: the plane that
-///      touches |  |  '-.         the solid's surface at the nearest point, the line along a ridge, a corner.
-///      The
-///      .--.--.  \        energy of the room `unfold` keeps hexahedra from folding meanwhile. Springs grow
-///      |  |  |--.|       stronger, nearest points are found anew; at last points go to where they are drawn.
+///      .--.--.        Springs draw the points of the mesh's surface to their homes: the plane that touches
+///      |  |  '-.      the solid's surface at the nearest point, the line along a ridge, a corner. The
+///      .--.--.  \     energy of the room `unfold` keeps hexahedra from folding meanwhile. Springs grow
+///      |  |  |--.|    stronger, nearest points are found anew; at last points go to where they are drawn.
 ///      '--'--'--'
 
 #include "tetrarch/core/progress.hpp"

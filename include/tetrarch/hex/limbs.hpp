@@ -3,11 +3,10 @@
 
 /// Limbs and gaps of a solid that are thinner than the cells of a grid.
 ///
-///      +--+--+--+--+        No cell of a thin limb is half full, and none is taken. So a way of cells is
-///      laid
-///      |##|  |  |  |        through what the solid touches, from where it is lost farthest to where it is
-///      |##|==:==:=~|        not: the fullest ones, joined by faces. Cells there become as thin as the limb
-///      |##|  |  |  |        when they are fitted. A gap is a limb of the outside.
+///      +--+--+--+--+     No cell of a thin limb is half full, and none is taken. So a way of cells is laid
+///      |##|  |  |  |     through what the solid touches, from where it is lost farthest to where it is
+///      |##|==:==:=~|     not: the fullest ones, joined by faces. Cells there become as thin as the limb
+///      |##|  |  |  |     when they are fitted. A gap is a limb of the outside.
 ///      +--+--+--+--+
 
 #include "tetrarch/hex/grid.hpp"

@@ -3,11 +3,10 @@
 
 /// Ridges and corners of a solid found again on the surface of a mesh of hexahedra.
 ///
-///      .--.--.--.--.      Each corner gets the nearest point of the mesh's surface, each ridge a shortest
-///      path |  |  |==|==|      of edges near it, and no two paths meet but at corners. What the paths
-///      enclose are
-///      .--.==.--.--.      the patches: the match is good if there are as many, and each lies nearest to a
-///      |==|  |  |  |      patch of its own.
+///      .--.--.--.--.     Each corner gets the nearest point of the mesh's surface, each ridge a shortest
+///      |  |  |==|==|     path of edges near it, and no two paths meet but at corners. What the paths
+///      .--.==.--.--.     enclose are the patches: the match is good if there are as many, and each lies
+///      |==|  |  |  |     nearest to a patch of its own.
 ///      '--'--'--'--'
 
 #include "tetrarch/core/progress.hpp"

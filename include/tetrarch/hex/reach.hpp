@@ -3,12 +3,10 @@
 
 /// Where a solid sticks out of the hexahedra that are to fill it.
 ///
-///         .            The nearest point of the solid's surface tells a point of the hexahedra where to go,
-///         but
-///        / \           never draws it out to a tip or into a groove: the flanks are always nearer. So points
-///        of
-///       /---\          the solid ask as well: each finds the nearest square that faces as it does, and would
-///      /|   |\         like to have it. What is far away counts more.
+///         .          The nearest point of the solid's surface tells a point of the hexahedra where to go,
+///        / \         but never draws it out to a tip or into a groove: the flanks are always nearer. So
+///       /---\        points of the solid ask as well: each finds the nearest square that faces as it does,
+///      /|   |\       and would like to have it. What is far away counts more.
 
 #include "tetrarch/core/progress.hpp"
 #include "tetrarch/hex/targets.hpp"

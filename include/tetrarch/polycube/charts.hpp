@@ -3,11 +3,11 @@
 
 /// Charts of a labeled boundary, and what makes it no surface of a polycube.
 ///
-///      .-------.-----.      A chart is a piece with one label, a line a row of edges between two charts, a
-///      |  +z   | +x  |      corner a vertex where more than two meet. The lines of the third axis run
-///      between o=======o     |      corners without turning back. Around a corner are the labels of one that
-///      cubes can |  -y   |     |      make: 8 octants, some of them filled, and one surface between.
-///      '-------'-----'
+///      .-------.-----.     A chart is a piece with one label, a line a row of edges between two
+///      |  +z   | +x  |     charts, a corner a vertex where more than two meet. The lines of the third
+///      o=======o     |     axis run between corners without turning back. Around a corner are the
+///      |  -y   |     |     labels of one that cubes can make: 8 octants, some of them filled, and one
+///      '-------'-----'     surface between.
 ///
 /// These conditions are necessary for polycubes whose corners are those of cubes; whether there is a map
 /// without folds is seen when it is made. Source: Eppstein and Mumford, "Steinitz theorems for orthogonal

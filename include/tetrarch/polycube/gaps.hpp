@@ -3,12 +3,10 @@
 
 /// Which planes of a polycube must stay apart.
 ///
-///        .-----+z-----.        Those at the two ends of a line; those of triangles that face each other
-///        |  | step |  |        straight through the solid, across a wall; and those that bound a chart on
-///        two
-///     -x |<-+------+->| +x     sides, straight across it, as a step on a wall does. Gaps outside of the
-///     solid
-///        '------------'        are none: there the polycube may overlap itself.
+///      .-----+z-----.      Those at the two ends of a line; those of triangles that face each other
+///      |  | step |  |      straight through the solid, across a wall; and those that bound a chart on
+///   -x |<-+------+->| +x   two sides, straight across it, as a step on a wall does. Gaps outside of
+///      '------------'      the solid are none: there the polycube may overlap itself.
 
 #include "tetrarch/core/progress.hpp"
 #include "tetrarch/polycube/map.hpp"

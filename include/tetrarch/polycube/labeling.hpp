@@ -3,11 +3,10 @@
 
 /// Labelings of a solid's boundary that may be those of a polycube.
 ///
-///      .-+z-.---.        The smoother a labeling, the fewer charts and faults it has, and the more faces
-///      turn |  .-+x-.|  -->   away from their axes. So several smoothnesses are tried. What is faulty is
-///      mended: a
-///      '--'----''        chart without enough corners gets a neighbor's label, the triangles around a faulty
-///                        corner one of six, if the faults become fewer.
+///      .-+z-.---.      The smoother a labeling, the fewer charts and faults it has, and the more faces
+///      |  .-+x-.|      turn away from their axes. So several smoothnesses are tried. What is faulty is
+///      '--'----''      mended: a chart without enough corners gets a neighbor's label, the triangles
+///                      around a faulty corner one of six, if the faults become fewer.
 ///
 /// Source: after Gregson, Sheffer and Zhang (2011), section 5, and Livesu, Vining, Sheffer, Gregson and
 /// Scateni, "PolyCut" (2013), section 4.

@@ -3,12 +3,11 @@
 
 /// The map of a solid to its polycube.
 ///
-///      .-''-.          .-----.      First each coordinate is the function whose gradient is nearest to the
-///      axis,
-///     (      )  ---->  |     |      as squares count, among those that are constant on each chart of the
-///      '-..-'          '-----'      axis. With wanted places of the planes the same holds with the constants
-///                                   given. Then the energy of the room `unfold` turns over what is folded,
-///      while vertices stay in their planes.
+///      .-''-.        .-----.     First each coordinate is the function whose gradient is nearest to
+///     (      ) ----> |     |     the axis, as squares count, among those that are constant on each chart
+///      '-..-'        '-----'     of the axis. With wanted places of the planes the same holds with the
+///                                constants given. Then the energy of the room `unfold` turns over what
+///                                is folded, while vertices stay in their planes.
 ///
 /// Source: Gregson, Sheffer and Zhang, "All-hex mesh generation via volumetric PolyCube deformation" (2011),
 /// for the first; Garanzha et al., "Foldover-free maps in 50 lines of code" (2021), for the second.

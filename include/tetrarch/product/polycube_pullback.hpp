@@ -3,11 +3,10 @@
 
 /// Cubes carried into a solid by a map of all of it, inside and boundary, to its polycube.
 ///
-///        solid M            polycube M^P          The map is linear on each tetrahedron of M. Where it turns
-///        .------.            .-------.            none over it has an inverse: a corner of a cube lies in
-///        the
-///       (   .---'  <------   |   .---'            image of some tetrahedron, and goes to the point with the
-///        `-'                 '---'                same weights in the tetrahedron itself.
+///        solid M         polycube M^P      The map is linear on each tetrahedron of M. Where it turns
+///        .------.         .-------.        none over it has an inverse: a corner of a cube lies in the
+///       (   .---'  <---   |   .---'        image of some tetrahedron, and goes to the point with the
+///        `-'              '---'            same weights in the tetrahedron itself.
 ///
 /// No field, no fibers and no partition are needed. A solid that is its own polycube gets its own cubes back,
 /// to the last digit where coordinates are round. Source: after Gregson, Sheffer and Zhang, "All-hex mesh

@@ -3,11 +3,10 @@
 
 /// Untangling hexahedra by the energy of the room `unfold`.
 ///
-///      .--.--.--.       At each of its eight corners a hexahedron has a tetrahedron, which would like to be
-///      the |  | /|  |       corner of a cube. Points inside move freely. Points of the surface slide: in a
-///      plane
-///      .--.  .--.       where all squares around them lie in it, along a straight ridge where they lie in
-///      two |  |/  \ |       planes; all others stay. So the solid that is filled remains the same.
+///      .--.--.--.     At each of its eight corners a hexahedron has a tetrahedron, which would like to be
+///      |  | /|  |     the corner of a cube. Points inside move freely. Points of the surface slide: in a
+///      .--.  .--.     plane where all squares around them lie in it, along a straight ridge where they lie
+///      |  |/  \ |     in two planes; all others stay. So the solid that is filled remains the same.
 ///      '--'--'--'
 ///
 /// The corners of a hexahedron may all be good and its middle not: so the best mesh by scaled Jacobians is

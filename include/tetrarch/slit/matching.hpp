@@ -4,12 +4,10 @@
 /// Which loop of one surface is which of another: by their circles, as the lengths of loops are not
 /// conformal.
 ///
-///      .-------.          .-------.      Circular domains of one surface differ by a Moebius map. Take any
-///      two
-///     /  o   O  \   ~    /  O  o   \     circles of B to the unit circle and to one about 0, turn a third
-///     one \    (.)  /        \   (.)   /     to where a certain circle of A is, and give each circle the
-///     nearest
-///      '-------'          '-------'      one (in the mean square). The best of all that is the matching.
+///      .-------.       .-------.     Circular domains of one surface differ by a Moebius map. Take any
+///     /  o   O  \  ~  /  O  o   \    two circles of B to the unit circle and to one about 0, turn a third
+///     \    (.)  /     \   (.)   /    one to where a certain circle of A is, and give each circle the
+///      '-------'       '-------'     nearest one (in the mean square). The best of all is the matching.
 ///
 /// No numbering of loops enters, so a surface turned, scaled, inverted in a sphere, renumbered or subdivided
 /// is found to be itself. A surface with symmetries has several best matchings.

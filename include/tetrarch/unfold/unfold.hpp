@@ -3,15 +3,14 @@
 
 /// Maps of tetrahedra without folds.
 ///
-///      .-----.            .-----.       Each element has a shape that it would like to have, and J, 3 x 3,
-///      is
-///      |\ x  |            |\    |       the linear map from there to where its corners are. Its energy is
-///      | \/\ |    --->    | \ x |
-///      | / \\|            |  \ /|           tr(J'J) / chi(det J)^(2/3) + theta (det(J)^2 + 1) / chi(det J),
-///      '-----'            '---'-'
-///                                       with chi(D) = (D + sqrt(D^2 + eps^2)) / 2: about D for D > 0, and
-///                                       small but positive for D <= 0, so that what is turned over has a
-///                                       finite energy and a way back.
+///      .-----.          .-----.     Each element has a shape that it would like to have, and J, 3 x 3,
+///      |\ x  |          |\    |     is the linear map from there to where its corners are. Its energy is
+///      | \/\ |   --->   | \ x |
+///      | / \\|          |  \ /|       tr(J'J) / chi(det J)^(2/3) + theta (det(J)^2 + 1) / chi(det J),
+///      '-----'          '---'-'
+///                                   with chi(D) = (D + sqrt(D^2 + eps^2)) / 2: about D for D > 0, and
+///                                   small but positive for D <= 0, so that what is turned over has a
+///                                   finite energy and a way back.
 ///
 /// The energy is minimized by L-BFGS, again and again, while eps falls towards 0: a wall grows where det J is
 /// 0, behind those that have passed it. Corners of hexahedra (`Brick`) are elements, too. No success is
@@ -89,7 +88,7 @@ struct Options {
   /// The first epsilon where elements are folded, about. With 1 all becomes small at first; with less,
   /// springs hold the whole while few elements open, but what is folded deeply may not find out.
   double reach = 1;
-  int most_rounds = 100;    ///< after which what is still folded stays so
+  int most_rounds = 100; ///< after which what is still folded stays so
   /// So many rounds on end that gain no more than `flat` and open no fold are enough.
   int most_idle_rounds = 10;
   int iterations = 300;     ///< of L-BFGS in a round, at most
