@@ -4,15 +4,14 @@
 /// Two trees on a sphere with holes, from one half of its holes and from the other, that reach into all its
 /// limbs on opposite sides.
 ///
-///            .-----.             The boundary of a handlebody is cut along loops around its tunnels. Floor
-///            and
-///           ( ceil. )            ceiling get a bank of each, so what is theirs must join those banks. And a
-///      _____ |  |  | ____        limb that lies in the floor alone is out of the field's reach: w decays in
-///      it floor |  |  | floor       exponentially. So the ceiling sends a branch to its tip along one side,
-///      and
-///            |  |  |             the floor along the other; between them there is a wall.
+///            .-----.          The boundary of a handlebody is cut along loops around its tunnels. Floor and
+///           ( ceil. )         ceiling get a bank of each, so what is theirs must join those banks. And a limb
+///      _____ |  |  | ____     that lies in the floor alone is out of the field's reach: w decays in it
+///      floor |  |  | floor    exponentially. So the ceiling sends a branch to its tip along one side, and
+///            |  |  |          the floor along the other; between them there is a wall.
 ///          ceiling
-///                                Of all vertices that one is taken which is farthest from a tree although it
+///
+/// Of all vertices that one is taken which is farthest from a tree although it
 /// is not near the other one, and the tree grows to it along a way that is short where lengths are measured
 /// in distances from the other tree: such a way keeps to the middle of what the other tree leaves. And so on.
 ///

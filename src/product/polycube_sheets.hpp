@@ -4,11 +4,10 @@
 /// The surface of a polycube as sheets: flat pieces, by plane and by the side that is outside.
 ///
 ///          ________
-///         /  up   /|         Lattice planes are numbered, so that plane k of axis a is where coordinate a is
-///        /_______/ |__       k steps. On a sheet that faces up its axis, the plane's coordinates are the
-///        next
-///       | front  |/  /|      two; on one that faces down they change places: so triangles seen from outside
-///       |________/__/ |      are counterclockwise in both.
+///         /  up   /|       Lattice planes are numbered, so that plane k of axis a is where coordinate a is
+///        /_______/ |__     k steps. On a sheet that faces up its axis, the plane's coordinates are the next
+///       | front  |/  /|    two; on one that faces down they change places: so triangles seen from outside
+///       |________/__/ |    are counterclockwise in both.
 
 #include "tetrarch/numeric/flat_locator.hpp"
 #include "tetrarch/product/solid.hpp"

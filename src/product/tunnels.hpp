@@ -4,13 +4,11 @@
 /// The partition of a solid with handles, however small, around loops of its boundary.
 ///
 ///        ____________           The loops are a basis of the solid's homology: each goes around a tunnel,
-///        and
-///       /   ceiling  \          they do not meet. Cut along them, the boundary is a sphere with two holes
-///       for
-///      |   _.-"""-._  |         each, and on it a function is harmonic, 1 on one bank of each loop and 0 on
-///      |--(  loop   )-| wall    the other. Where it is high but for bands along banks is the floor, where it
-///      |   "-.___.-"  |         is low the ceiling; the bands are inner walls, and what lies halfway between
-///       \____floor___/          is the outer one.
+///       /   ceiling  \          and they do not meet. Cut along them, the boundary is a sphere with two
+///      |   _.-"""-._  |         holes for each, and on it a function is harmonic, 1 on one bank of each loop
+///      |--(  loop   )-| wall    and 0 on the other. Where it is high but for bands along banks is the floor,
+///      |   "-.___.-"  |         where it is low the ceiling; the bands are inner walls, and what lies
+///       \____floor___/          halfway between is the outer one.
 ///
 /// Each half of the banks is joined by a tree, and limbs would lie in floor or ceiling alone; so branches.hpp
 /// sends both into them. What the trees reach is held at 0.8 and 0.2.

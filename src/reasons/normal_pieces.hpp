@@ -3,16 +3,12 @@
 
 /// How a normal surface cuts one tetrahedron: its arcs, and what is left between them.
 ///
-///            v              Arcs around corner v of a face are numbered from v on, 0, 1, ...; first come
-///            those of the
-///           /0\             triangles at v, then those of the quadrilaterals that cut v off from the face's
-///           other two
-///          /---\            corners. Strip (v, k) of the face lies just before arc k, seen from v; what is
-///          left in the
-///         /  1  \           middle is the strip after the last arcs.
-///        /-------\          Rooms of the tetrahedron: (v, k) just before triangle k at v; then those between
-///        the
-///       /  middle \         quadrilaterals, from the edge with vertex 0 on.
+///            v             Arcs around corner v of a face are numbered from v on, 0, 1, ...; first come those
+///           /0\            of the triangles at v, then those of the quadrilaterals that cut v off from the
+///          /---\           face's other two corners. Strip (v, k) of the face lies just before arc k, seen
+///         /  1  \          from v; what is left in the middle is the strip after the last arcs.
+///        /-------\         Rooms of the tetrahedron: (v, k) just before triangle k at v; then those between
+///       /  middle \        the quadrilaterals, from the edge with vertex 0 on.
 ///      x-----------y
 
 #include "tetrarch/reasons/normal_surface.hpp"

@@ -3,12 +3,11 @@
 
 /// Four strands along each way of a tree of triangles, side by side, and around the point of a handle.
 ///
-///         e2                      The point o has the ends e1, ..., e4 of two loops. Four strands come in by
-///         its
-///          |                      gate, at the bottom. The outer ones turn off first and lead to the
-///     ,----|----.                 neighbors of o on e1 and e4; the inner ones cross these edges, which are
-///     no | ,--|--. |                 longer marked, and lead to those on e2 and e3.
-///  e3-|-|--o--|-|-e1              (Drawn: e1 and e4 off their strands; e4 points to the lower left.)
+///         e2                   The point o has the ends e1, ..., e4 of two loops. Four strands come in by
+///          |                   its gate, at the bottom. The outer ones turn off first and lead to the
+///     ,----|----.              neighbors of o on e1 and e4; the inner ones cross these edges, which are
+///     | ,--|--. |              no longer marked, and lead to those on e2 and e3.
+///  e3-|-|--o--|-|-e1           (Drawn: e1 and e4 off their strands; e4 points to the lower left.)
 ///     | | /   | |
 ///     | |/    | |
 ///

@@ -3,14 +3,12 @@
 
 /// Many curves across the triangles of a surface, laid all at once.
 ///
-///            c                 A *strand* runs from a corner of a triangle across edges to a corner of
-///            another
-///           / \                one. Each crossing becomes a vertex, each passage through a triangle an edge:
-///      ----*---*----           what lies between the passages of a triangle is cut into triangles without
-///        /  \   \              further vertices. All are straight within the old triangles, so nothing
-///        folds,
-///    ---*----*---*---          whatever the number of strands.
-///      /      \   \            (Drawn: two passages around corner c, one around corner b.)
+///            c              A *strand* runs from a corner of a triangle across edges to a corner of another
+///           / \             one. Each crossing becomes a vertex, each passage through a triangle an edge:
+///      ----*---*----        what lies between the passages of a triangle is cut into triangles without
+///        /  \   \           further vertices. All are straight within the old triangles, so nothing
+///    ---*----*---*---       folds, whatever the number of strands.
+///      /      \   \         (Drawn: two passages around corner c, one around corner b.)
 ///     a--------*---b
 ///
 /// An edge is halved by its middle vertex, the halves by theirs, and so on.
