@@ -11,9 +11,9 @@
 ///            |  |  |          the floor along the other; between them there is a wall.
 ///          ceiling
 ///
-/// Of all vertices that one is taken which is farthest from a tree although it
-/// is not near the other one, and the tree grows to it along a way that is short where lengths are measured
-/// in distances from the other tree: such a way keeps to the middle of what the other tree leaves. And so on.
+/// Of all vertices that one is taken which is farthest from a tree although it is not near the other one, and
+/// the tree grows to it along a way that is short where lengths are measured in distances from the other tree:
+/// such a way keeps to the middle of what the other tree leaves. And so on.
 ///
 /// Lengths are those of ways along edges.
 
