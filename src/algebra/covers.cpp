@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <string>
 #include <utility>
 
 namespace tetrarch::algebra {
@@ -258,6 +259,29 @@ CoverHomology homology_of_covers(const Presentation& group, int degree, long lon
   };
   found.complete = for_each_cover(group, note, {degree, most_steps}, progress);
   std::sort(found.of.begin(), found.of.end());
+  return found;
+}
+
+CoverDifference difference_of_covers(const Presentation& x, const Presentation& y, int most_sheets,
+                                     long long most_steps, const Progress& progress) {
+  CoverDifference found;
+  for (int degree = 2; degree <= most_sheets; ++degree) {
+    const CoverHomology of_x = homology_of_covers(x, degree, most_steps, progress);
+    const CoverHomology of_y = homology_of_covers(y, degree, most_steps, progress);
+    if (!of_x.complete || !of_y.complete) break;
+    found.compared = degree;
+    if (of_x.of == of_y.of) continue;
+    const std::string sheets = std::to_string(degree) + " sheets";
+    if (of_x.of.size() != of_y.of.size()) {
+      found.what = "the numbers of covers of " + sheets + " differ: " + std::to_string(of_x.of.size()) +
+                   " against " + std::to_string(of_y.of.size());
+      break;
+    }
+    const auto [a, b] = std::mismatch(of_x.of.begin(), of_x.of.end(), of_y.of.begin());
+    found.what = "the first homology of covers of " + sheets + " differs: in sorted order, first in " + *a +
+                 " against " + *b;
+    break;
+  }
   return found;
 }
 

@@ -298,7 +298,7 @@ double bytes_for_edge(const product::Solid& solid, double edge) {
   const auto [least, most] = box_of(solid.mesh.points);
   double cells = 1;
   for (std::size_t a = 0; a < 3; ++a) cells *= (most[a] - least[a]) / edge + 3;
-  constexpr double for_cell = 16;
+  constexpr double for_cell = 48; // while limbs are laid: fractions, distances and ways
   constexpr double for_hexahedron = 3000;
   return for_cell * cells + for_hexahedron * cells_for(solid, edge);
 }

@@ -224,31 +224,16 @@ algebra::Presentation group_of(const Triangulation& tri, const Progress& progres
   return algebra::simplified(algebra::dual_presentation(tri, Skeleton(tri)).presentation, {}, progress);
 }
 
-/// A proved no of covers: those of some degree have other first homology groups, listed with multiplicity.
-/// Degrees grow until a budget ends the search.
+/// A proved no of covers. Degrees grow until a budget ends the search.
 std::optional<IsometryAnswer> differ_in_covers(const Triangulation& x, const Triangulation& y, int& compared,
                                                const Progress& progress) {
   constexpr int most_sheets = 7;
   constexpr long long most_steps = 300'000;
-  const algebra::Presentation group_x = group_of(x, progress);
-  const algebra::Presentation group_y = group_of(y, progress);
-  for (int degree = 2; degree <= most_sheets; ++degree) {
-    const auto covers_x = algebra::homology_of_covers(group_x, degree, most_steps, progress);
-    const auto covers_y = algebra::homology_of_covers(group_y, degree, most_steps, progress);
-    if (!covers_x.complete || !covers_y.complete) return std::nullopt;
-    compared = degree;
-    if (covers_x.of == covers_y.of) continue;
-    const std::string sheets = std::to_string(degree) + " sheets";
-    if (covers_x.of.size() != covers_y.of.size())
-      return told(IsometryAnswer::Verdict::not_isometric, IsometryAnswer::Proof::covers,
-                  "the numbers of covers of " + sheets + " differ: " + std::to_string(covers_x.of.size()) +
-                      " against " + std::to_string(covers_y.of.size()));
-    const auto [a, b] = std::mismatch(covers_x.of.begin(), covers_x.of.end(), covers_y.of.begin());
-    return told(IsometryAnswer::Verdict::not_isometric, IsometryAnswer::Proof::covers,
-                "the first homology of covers of " + sheets + " differs: in sorted order, first in " + *a +
-                    " against " + *b);
-  }
-  return std::nullopt;
+  algebra::CoverDifference found = algebra::difference_of_covers(group_of(x, progress), group_of(y, progress),
+                                                                 most_sheets, most_steps, progress);
+  compared = found.compared;
+  if (found.what.empty()) return std::nullopt;
+  return told(IsometryAnswer::Verdict::not_isometric, IsometryAnswer::Proof::covers, std::move(found.what));
 }
 
 /// A certified structure on the one, a proof that there is none on the other.

@@ -116,15 +116,10 @@ std::optional<IsometryAnswer> differ_in_group(const algebra::Presentation& x, co
                                                      h_x.str() + " against " + h_y.str());
   constexpr int most_sheets = 6;
   constexpr long long most_steps = 50'000;
-  for (int degree = 2; degree <= most_sheets; ++degree) {
-    const auto covers_x = algebra::homology_of_covers(x, degree, most_steps, progress);
-    const auto covers_y = algebra::homology_of_covers(y, degree, most_steps, progress);
-    if (!covers_x.complete || !covers_y.complete) return std::nullopt;
-    if (covers_x.of == covers_y.of) continue;
-    return marks_differ(IsometryProof::covers, "the first homology of the orbifolds' covers of " +
-                                                   std::to_string(degree) + " sheets differs");
-  }
-  return std::nullopt;
+  const algebra::CoverDifference found =
+      algebra::difference_of_covers(x, y, most_sheets, most_steps, progress);
+  if (found.what.empty()) return std::nullopt;
+  return marks_differ(IsometryProof::covers, "of the orbifolds' groups " + found.what);
 }
 
 MarkedTriangulation reduced_marked(const Compared& x, const Progress& progress) {

@@ -78,3 +78,22 @@ TEST_CASE("Homology of covers of the figure-eight knot is as tabulated") {
 TEST_CASE("A budget that is too small is told") {
   CHECK_FALSE(homology_of_covers(group("< a, b | >"), 6, 100).complete);
 }
+
+TEST_CASE("Groups are told apart by the first number of sheets in which their covers differ") {
+  const Presentation figure_eight = group("< a, b | aBAbaBabAB >");
+  const Presentation trefoil = group("< a, b | aaBBB >");
+  // The branched double covers are L(5,2) and L(3,1).
+  const CoverDifference knots = difference_of_covers(figure_eight, trefoil, 4, 10'000);
+  CHECK(knots.compared == 2);
+  CHECK(
+      knots.what ==
+      "the first homology of covers of 2 sheets differs: in sorted order, first in Z + Z/5 against Z + Z/3");
+  // Z/2 * Z/2 has three subgroups of index 2, Z has one.
+  const CoverDifference numbers =
+      difference_of_covers(group("< a, b | aa, bb >"), group("< a | >"), 4, 10'000);
+  CHECK(numbers.what == "the numbers of covers of 2 sheets differ: 3 against 1");
+  const CoverDifference same = difference_of_covers(trefoil, group("< a, b | abaBAB >"), 4, 10'000);
+  CHECK(same.compared == 4);
+  CHECK(same.what.empty());
+  CHECK(difference_of_covers(figure_eight, trefoil, 4, 1).compared == 1);
+}

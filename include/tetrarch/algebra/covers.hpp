@@ -46,4 +46,15 @@ struct CoverHomology {
 CoverHomology homology_of_covers(const Presentation& group, int degree, long long most_steps = 1'000'000,
                                  const Progress& progress = {});
 
+/// Two groups told apart by their covers, if they can be.
+struct CoverDifference {
+  int compared = 1; ///< all covers of up to so many sheets were compared
+  std::string
+      what; ///< a clause that says in which number of sheets they differ, and how; empty: no difference
+};
+/// Compares `homology_of_covers` of 2, 3, ... up to `most_sheets` sheets, until they differ or the steps of one
+/// number of sheets do not do.
+CoverDifference difference_of_covers(const Presentation& x, const Presentation& y, int most_sheets,
+                                     long long most_steps, const Progress& progress = {});
+
 } // namespace tetrarch::algebra
