@@ -32,6 +32,8 @@ int attempts_between_restarts(int tets) {
 int attempts_before_asking(int tets) {
   return std::clamp(2000 / tets, 2, 25);
 }
+/// Tetrahedra in all triangulations that are tried, for each of `SearchOptions::attempts`.
+constexpr long long tetrahedra_each = 250;
 /// Between the seeds of restarts.
 constexpr std::uint64_t restart_stride = 0x9e3779b97f4a7c15;
 
@@ -86,6 +88,7 @@ private:
   bool settled(const Triangulation& tri) {
     if (!known_.insert(signature(tri)).second) return false;
     const bool first = found_.attempts++ == 0;
+    tetrahedra_ += tri.size();
     if (!first) found_.changed = true;
     const Skeleton skeleton(tri);
     auto structure = hyperbolize(tri, skeleton, options_.solve, progress_.silent());
@@ -113,7 +116,9 @@ private:
     bool asked = false;
     // Walks that end where somebody has been cost little but must end too.
     const long long most_walks = 20LL * options_.attempts;
-    for (long long walk = 0; walk < most_walks && found_.attempts < options_.attempts; ++walk) {
+    const long long most_tetrahedra = tetrahedra_each * options_.attempts;
+    for (long long walk = 0;
+         walk < most_walks && found_.attempts < options_.attempts && tetrahedra_ < most_tetrahedra; ++walk) {
       progress_.step("searching for a structure", static_cast<double>(found_.attempts) / options_.attempts);
       if (options_.has_none && !asked && found_.attempts >= ask_after) {
         asked = true;
@@ -166,6 +171,7 @@ private:
   const Progress& progress_;
   Search found_;
   std::unordered_set<std::string> known_;
+  long long tetrahedra_ = 0; ///< of all that were tried
   int bad_tet_ = -1;
 };
 

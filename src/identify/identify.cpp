@@ -11,6 +11,7 @@
 #include "tetrarch/hyperbolic/search.hpp"
 #include "tetrarch/identify/recognise.hpp"
 #include "tetrarch/moves/simplify.hpp"
+#include "tetrarch/reasons/reason.hpp"
 
 #include <algorithm>
 #include <array>
@@ -87,9 +88,14 @@ public:
     hyperbolic::SearchOptions search;
     search.seed = options_.seed;
     search.attempts = options_.attempts;
+    std::optional<reasons::Reason> why_not;
+    search.has_none = [&](const Triangulation& simple) {
+      why_not = reasons::quick_reason(simple, given_, options_.seed, progress_);
+      return why_not.has_value();
+    };
     const hyperbolic::Search found = find_structure(given_, search, progress_);
     say_how_simplified(found.triangulation);
-    say(describe(found));
+    say(why_not ? "not hyperbolic: " + why_not->text : describe(found));
     if (found.structure.outcome == hyperbolic::Outcome::geometric) {
       say_what_was_filled();
       by_structure(found);

@@ -29,7 +29,8 @@ struct Claim {
 };
 
 /// The group is cyclic, abelian, a free product, or splits over a cyclic group: what the letters alone say.
-/// Relators are cyclically reduced and not empty. O(length) for each generator.
+/// Relators are cyclically reduced and not empty. O(length), and for each generator that might be a stable
+/// letter the length of the relators that hold it.
 std::vector<Claim> splittings(const algebra::Presentation& group);
 
 /// Whether the letter t occurs in subwords t v^k T only, with one word v, which it tells.

@@ -101,4 +101,17 @@ std::optional<Reason> why_not_hyperbolic(const Triangulation& tri, const ReasonO
   return reason;
 }
 
+std::optional<Reason> quick_reason(const Triangulation& simplified, const Triangulation& given,
+                                   std::uint64_t seed, const Progress& progress) {
+  ReasonOptions quick;
+  quick.seed = seed;
+  quick.changes = 0;
+  quick.most_tetrahedra = 0;
+  constexpr int most_given = 10'000;
+  auto reason = why_not_hyperbolic(simplified, quick, progress);
+  if (!reason && simplified.size() < given.size() && given.size() <= most_given)
+    reason = why_not_hyperbolic(given, quick, progress);
+  return reason;
+}
+
 } // namespace tetrarch::reasons

@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <numeric>
 #include <set>
+#include <span>
 
 namespace tetrarch::reasons {
 namespace {
@@ -17,39 +18,54 @@ int generator_of(int letter) {
   return std::abs(letter) - 1;
 }
 
-/// How often each generator occurs in a relator.
-std::vector<std::vector<int>> occurrences(const Presentation& group) {
-  std::vector<std::vector<int>> count;
-  for (const Word& relator : group.relators) {
-    count.emplace_back(static_cast<std::size_t>(group.generators), 0);
-    for (const int letter : relator) ++count.back()[static_cast<std::size_t>(generator_of(letter))];
-  }
-  return count;
-}
+/// Where a generator stands.
+struct Occurrences {
+  int relators = 0; ///< in how many of them
+  int letters = 0;
+  int exponent = 0; ///< the greatest common divisor of its powers, each as long as it goes
+  int last = -1;    ///< the last relator that holds it
+};
 
-/// The greatest common divisor of the exponents with which a generator occurs, each as long as it goes.
-int common_exponent(const Presentation& group, int generator) {
-  int divisor = 0;
-  for (const Word& relator : group.relators) {
+/// Of each generator, in one pass.
+std::vector<Occurrences> occurrences(const Presentation& group) {
+  std::vector<Occurrences> of(static_cast<std::size_t>(group.generators));
+  for (std::size_t r = 0; r < group.relators.size(); ++r) {
+    const Word& relator = group.relators[r];
     const std::size_t n = relator.size();
-    const auto is_it = [&](std::size_t k) { return generator_of(relator[k % n]) == generator; };
-    std::size_t start = 0;
-    while (start < n && is_it(start)) ++start;
-    if (start == n) {
-      divisor = std::gcd(divisor, static_cast<int>(n)); // reduced: all letters are the same
+    for (const int letter : relator) {
+      Occurrences& in = of[static_cast<std::size_t>(generator_of(letter))];
+      in.relators += in.last == static_cast<int>(r) ? 0 : 1;
+      in.last = static_cast<int>(r);
+      ++in.letters;
+    }
+    std::size_t start = 0; // of a power
+    while (start < n && generator_of(relator[start]) == generator_of(relator[(start + n - 1) % n])) ++start;
+    if (start == n) { // reduced: all letters are the same
+      int& exponent = of[static_cast<std::size_t>(generator_of(relator.front()))].exponent;
+      exponent = std::gcd(exponent, static_cast<int>(n));
       continue;
     }
     int run = 0;
-    for (std::size_t k = start; k <= start + n; ++k) {
-      if (k < start + n && is_it(k)) {
-        ++run;
-        continue;
-      }
-      divisor = std::gcd(divisor, run);
+    for (std::size_t k = start; k < start + n; ++k) {
+      ++run;
+      if (generator_of(relator[(k + 1) % n]) == generator_of(relator[k % n])) continue;
+      int& exponent = of[static_cast<std::size_t>(generator_of(relator[k % n]))].exponent;
+      exponent = std::gcd(exponent, run);
       run = 0;
     }
   }
-  return divisor;
+  return of;
+}
+
+/// The relators that hold each generator.
+std::vector<std::vector<int>> relators_of_generators(const Presentation& group) {
+  std::vector<std::vector<int>> of(static_cast<std::size_t>(group.generators));
+  for (std::size_t r = 0; r < group.relators.size(); ++r)
+    for (const int letter : group.relators[r]) {
+      std::vector<int>& held = of[static_cast<std::size_t>(generator_of(letter))];
+      if (held.empty() || held.back() != static_cast<int>(r)) held.push_back(static_cast<int>(r));
+    }
+  return of;
 }
 
 bool is_commutator(const Word& w) {
@@ -100,11 +116,12 @@ void add_free_product(const Presentation& group, std::vector<Claim>& claims) {
   const std::vector<int> part = joined(group);
   const std::set<int> numbers(part.begin(), part.end());
   if (numbers.size() < 2) return;
-  // One claim for each choice of a generator in the first two factors; factors are few and small.
+  // One claim for each choice of a generator in the first two factors, of so many of them.
   const std::vector<int> first = members(part, *numbers.begin());
   const std::vector<int> second = members(part, *std::next(numbers.begin()));
-  for (const int a : first)
-    for (const int b : second) {
+  constexpr std::size_t most = 30;
+  for (const int a : std::span(first).first(std::min(most, first.size())))
+    for (const int b : std::span(second).first(std::min(most, second.size()))) {
       Claim claim;
       claim.kind = Kind::free_product;
       claim.generators = first;
@@ -177,14 +194,44 @@ void add_amalgams(const Presentation& group, std::vector<Claim>& claims) {
   }
 }
 
+/// The root of what stands between t and T in a relator, if each t is followed by a T before the next t and
+/// each T by a t; it does not exist otherwise.
+void add_between(const Word& relator, int t, CommonRoot& root) {
+  const std::size_t n = relator.size();
+  std::vector<std::size_t> at;
+  for (std::size_t k = 0; k < n; ++k)
+    if (generator_of(relator[k]) == generator_of(t)) at.push_back(k);
+  // Signs first, which cost nothing and mostly decide.
+  for (std::size_t k = 0; k < at.size(); ++k)
+    if (relator[at[k]] == relator[at[(k + 1) % at.size()]]) root.exists = false;
+  for (std::size_t k = 0; k < at.size() && root.exists; ++k) {
+    if (relator[at[k]] != t) continue;
+    const std::size_t end = k + 1 < at.size() ? at[k + 1] : at.front() + n;
+    Word word;
+    for (std::size_t i = at[k] + 1; i < end; ++i) word.push_back(relator[i % n]);
+    root.add(word);
+  }
+}
+
+/// Only relators in `holding` hold the letter or its inverse.
+bool is_stable_letter_in(const Presentation& group, const std::vector<int>& holding, int t, Word& v) {
+  CommonRoot root;
+  for (std::size_t k = 0; k < holding.size() && root.exists; ++k)
+    add_between(group.relators[static_cast<std::size_t>(holding[k])], t, root);
+  v = root.root;
+  return root.exists && !v.empty();
+}
+
 void add_stable_letters(const Presentation& group, std::vector<Claim>& claims) {
+  const std::vector<std::vector<int>> holding = relators_of_generators(group);
   for (int g = 0; g < group.generators; ++g)
     for (const int t : {g + 1, -(g + 1)}) {
       Claim claim;
       claim.kind = Kind::stable_letter;
       claim.generators = {g};
       claim.elements.emplace_back();
-      if (is_stable_letter(group, t, claim.elements.front())) claims.push_back(claim);
+      if (is_stable_letter_in(group, holding[static_cast<std::size_t>(g)], t, claim.elements.front()))
+        claims.push_back(claim);
     }
 }
 
@@ -207,18 +254,12 @@ std::vector<Claim> splittings(const Presentation& group) {
     add(Kind::abelian_group, {}, 0);
     return claims;
   }
-  const auto count = occurrences(group);
+  const std::vector<Occurrences> of = occurrences(group);
   add_stable_letters(group, claims);
   for (int g = 0; g < group.generators; ++g) {
-    const int exponent = common_exponent(group, g);
-    if (exponent != 1) add(Kind::root, {g}, exponent);
-    int relators = 0;
-    int total = 0;
-    for (const auto& in : count) {
-      relators += in[static_cast<std::size_t>(g)] > 0 ? 1 : 0;
-      total += in[static_cast<std::size_t>(g)];
-    }
-    if (relators == 1 && total == 2) add(Kind::twice, {g}, 0);
+    const Occurrences& in = of[static_cast<std::size_t>(g)];
+    if (in.exponent != 1) add(Kind::root, {g}, in.exponent);
+    if (in.relators == 1 && in.letters == 2) add(Kind::twice, {g}, 0);
   }
   add_free_product(group, claims);
   add_amalgams(group, claims);
@@ -226,35 +267,8 @@ std::vector<Claim> splittings(const Presentation& group) {
 }
 
 bool is_stable_letter(const Presentation& group, int t, Word& v) {
-  CommonRoot root;
-  for (const Word& relator : group.relators) {
-    const std::size_t n = relator.size();
-    std::size_t start = 0;
-    while (start < n && relator[start] != t) ++start;
-    if (start == n) {
-      if (std::find(relator.begin(), relator.end(), -t) != relator.end()) return false;
-      continue;
-    }
-    bool inside = false;
-    Word word;
-    for (std::size_t k = start; k < start + n; ++k) {
-      const int letter = relator[k % n];
-      if (letter == (inside ? t : -t)) return false;
-      if (letter == t) {
-        inside = true;
-        word.clear();
-      } else if (letter == -t) {
-        inside = false;
-        root.add(word);
-        if (!root.exists) return false;
-      } else if (inside) {
-        word.push_back(letter);
-      }
-    }
-    if (inside) return false;
-  }
-  v = root.root;
-  return !v.empty();
+  return is_stable_letter_in(group, relators_of_generators(group)[static_cast<std::size_t>(generator_of(t))],
+                             t, v);
 }
 
 } // namespace tetrarch::reasons

@@ -240,16 +240,7 @@ std::optional<reasons::Reason> proved_no(const Triangulation& tri, std::uint64_t
 Searched searched(const Triangulation& tri, hyperbolic::SearchOptions options, const Progress& progress) {
   Searched found;
   options.has_none = [&](const Triangulation& simple) {
-    reasons::ReasonOptions quick;
-    quick.seed = options.seed;
-    quick.changes = 0;
-    quick.most_tetrahedra = 0;
-    found.why = reasons::why_not_hyperbolic(simple, quick, progress);
-    // A large triangulation of few edges has long relators, which simplify the better, the more of them there
-    // are.
-    constexpr int most_given = 10'000; // tetrahedra
-    if (!found.why && simple.size() < tri.size() && tri.size() <= most_given)
-      found.why = reasons::why_not_hyperbolic(tri, quick, progress);
+    found.why = reasons::quick_reason(simple, tri, options.seed, progress);
     return found.why.has_value();
   };
   found.search = find_structure(tri, options, progress);

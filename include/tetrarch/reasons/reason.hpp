@@ -119,6 +119,12 @@ struct ReasonOptions {
                                                        const ReasonOptions& options = {},
                                                        const Progress& progress = {});
 
+/// By groups alone, without other triangulations: first of a simplified triangulation, then of the `given` one,
+/// if that is larger and of no more than 10,000 tetrahedra. A large triangulation of few edges has long
+/// relators, which simplify the better, the more of them there are. Throws as above. For searches, on their way.
+[[nodiscard]] std::optional<Reason> quick_reason(const Triangulation& simplified, const Triangulation& given,
+                                                 std::uint64_t seed, const Progress& progress = {});
+
 /// Checks a reason from what it holds: the presentation is read anew from its triangulation, the automorphism
 /// is applied and shown to be one (Stallings' folding), the pattern sought again, the finite group tested
 /// relator by relator. Empty if all is right, else a sentence. That the triangulation is one of the manifold
