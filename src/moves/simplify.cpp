@@ -62,7 +62,9 @@ private:
 
 /// Edges of large valence that cannot be merged along, each with a tetrahedron around it that shows why: the
 /// two sides of its right face that would meet are one edge already, or both on the boundary. Around a hub
-/// every tetrahedron would ask for the same merge, and each time all of them would be walked round.
+/// every tetrahedron would ask for the same merge, and each time all of them would be walked round. Where the
+/// merge failed for a reason that is nowhere in particular, the next quarter of the valence asks in vain, and
+/// once more is asked at the end.
 class Hubs {
 public:
   explicit Hubs(const Complex& complex) : complex_(complex) {}
@@ -73,6 +75,10 @@ public:
     if (valence <= small) return false;
     const EdgeId edge = complex_.edge(e);
     if (complex_.is_reversed(edge)) return false; // no ring to walk round; the move itself says no
+    if (const auto tired = failed_.find(edge.value); tired != failed_.end() && tired->second.asks_left > 0) {
+      tired->second = {e.tet, tired->second.asks_left - 1};
+      return true;
+    }
     const auto known = shown_by_.find(edge.value);
     if (known != shown_by_.end() && shows(known->second, edge)) return true;
     const Walk start{e.tet, edge_frame(e.from, e.to)};
@@ -85,8 +91,27 @@ public:
     return false;
   }
 
+  /// A merge that was not forbidden was illegal.
+  void failed(DirectedTetEdge e, int valence) {
+    if (valence > small) failed_[complex_.edge(e).value] = {e.tet, valence / 4};
+  }
+
+  /// The tetrahedra at which merges failed, or were last asked for; all that failed is forgotten.
+  std::vector<int> take_failed() {
+    std::vector<int> tets;
+    for (const auto& [edge, last] : failed_) tets.push_back(last.tet);
+    failed_.clear();
+    std::sort(tets.begin(), tets.end());
+    return tets;
+  }
+
 private:
   static constexpr int small = 32; ///< up to here the merge is planned without the heap
+
+  struct Failed {
+    int tet = 0;
+    int asks_left = 0;
+  };
 
   bool shows(const Walk& w, EdgeId edge) const {
     if (!complex_.is_alive(w.tet) || complex_.edge(w.edge()) != edge) return false;
@@ -99,6 +124,7 @@ private:
 
   const Complex& complex_;
   std::unordered_map<int, Walk> shown_by_;
+  std::unordered_map<int, Failed> failed_; ///< by edge
 };
 
 /// The greedy part.
@@ -117,19 +143,32 @@ public:
         if (complex_.is_alive(t)) waiting_.push(t);
   }
   void run(const Progress& progress) {
-    constexpr int tets_between_reports = 4096;
-    const double start = std::max(1, complex_.size());
-    for (int looked = 1; !waiting_.empty(); ++looked) {
-      if (looked % tets_between_reports == 0) progress.step("simplifying", 1 - complex_.size() / start);
-      const int t = waiting_.pop();
-      if (!complex_.is_alive(t) || !improve_at(t)) continue;
-      look_at_last_change();
-      if (complex_.is_alive(t)) waiting_.push(t);
+    bool has_changed = true;
+    while (has_changed) {
+      has_changed = drain(progress);
+      for (const int t : hubs_.take_failed())
+        if (has_changed && complex_.is_alive(t)) waiting_.push(t);
     }
   }
   const MoveCounts& counts() const { return mover_.counts(); }
 
 private:
+  /// Looks until nobody waits. Whether anything was changed.
+  bool drain(const Progress& progress) {
+    constexpr int tets_between_reports = 4096;
+    const double start = std::max(1, complex_.size());
+    bool has_changed = false;
+    for (int looked = 1; !waiting_.empty(); ++looked) {
+      if (looked % tets_between_reports == 0) progress.step("simplifying", 1 - complex_.size() / start);
+      const int t = waiting_.pop();
+      if (!complex_.is_alive(t) || !improve_at(t)) continue;
+      has_changed = true;
+      look_at_last_change();
+      if (complex_.is_alive(t)) waiting_.push(t);
+    }
+    return has_changed;
+  }
+
   bool improve_at(int t) { return remove_small_edge(t) || merge_at(t) || improve_boundary(t); }
 
   bool remove_small_edge(int t) {
@@ -166,7 +205,9 @@ private:
       if (from == to) continue;
       const bool inside = complex_.link(from) == LinkKind::sphere || complex_.link(to) == LinkKind::sphere;
       if (!inside && !options_.change_boundary) continue;
-      if (!hubs_.forbid({t, a, b}, -valence) && mover_.made({MoveKind::merge, t, a, b})) return true;
+      if (hubs_.forbid({t, a, b}, -valence)) continue;
+      if (mover_.made({MoveKind::merge, t, a, b})) return true;
+      hubs_.failed({t, a, b}, -valence);
     }
     return false;
   }
