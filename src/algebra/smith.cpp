@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "tetrarch/algebra/smith.hpp"
 
+#include "modular_smith.hpp"
 #include "sparse_row.hpp"
 #include "tetrarch/algebra/abelian_group.hpp"
 
@@ -39,6 +40,14 @@ Integer magnitude(const Integer& x) {
   return x < 0 ? Integer(-x) : x;
 }
 
+/// Words of memory beyond the machine's own integers.
+std::size_t words(Small /*x*/) {
+  return 0;
+}
+std::size_t words(const Integer& x) {
+  return mpz_size(x.backend().data());
+}
+
 /// a - q * b for the integer q that makes it smallest: at most |b| / 2 in absolute value, which halves the
 /// number of rounds. No intermediate result leaves the range of the arguments.
 template <class S>
@@ -71,6 +80,10 @@ public:
 
   /// False if a machine integer overflowed: take `rows` and go on with larger integers.
   bool run() { return take_units() && divide_out(); }
+  /// Ends early where many long numbers had to be changed.
+  bool take_units();
+  /// For a matrix without units: isolate its smallest entry, as often as it takes; units may appear meanwhile.
+  bool divide_out();
 
   int units() const { return units_; }
   const std::vector<S>& divisors() const { return divisors_; }
@@ -87,12 +100,10 @@ private:
   std::optional<int> shortest_column();
   std::optional<Pivot> unit_of_lone_row();
   std::optional<Pivot> unit_in_column(int column);
-  bool take_units();
   bool clear_column(Pivot pivot);
   bool subtract_row(int row, int pivot_row, const S& q);
   void drop_row(int row);
 
-  bool divide_out();
   std::optional<Pivot> smallest_entry() const;
   bool isolate(Pivot pivot);
   std::optional<Pivot> smaller_in_column(Pivot pivot);
@@ -110,6 +121,7 @@ private:
   std::vector<int> lone_rows_;    ///< rows that came down to one entry
   std::vector<Entry<S>> changes_; ///< of the row in hand
   int units_ = 0;
+  std::size_t words_ = 0; ///< of numbers that were changed
   std::vector<S> divisors_;
 };
 
@@ -183,7 +195,8 @@ auto Elimination<S>::unit_in_column(int column) -> std::optional<Pivot> {
 
 template <class S>
 bool Elimination<S>::take_units() {
-  while (true) {
+  constexpr std::size_t enough = 10'000'000; // words: a tenth of a second, and others go on better
+  while (words_ < enough) {
     std::optional<Pivot> pivot = unit_of_lone_row();
     while (!pivot) {
       const std::optional<int> column = shortest_column();
@@ -194,6 +207,7 @@ bool Elimination<S>::take_units() {
     ++units_;
     drop_row(pivot->row);
   }
+  return true;
 }
 
 /// Subtracts multiples of the pivot's row until every other entry of its column is at most half of it.
@@ -220,7 +234,8 @@ bool Elimination<S>::subtract_row(int row, int pivot_row, const S& q) {
     const S* old = find(row, column);
     S value = old != nullptr ? *old : S(0);
     fits = fits && subtract_multiple(value, q, y);
-    changes_.push_back({column, value});
+    words_ += words(value);
+    changes_.push_back({column, std::move(value)});
   });
   if (!fits) return false;
   for (const Entry<S>& e : changes_) {
@@ -246,7 +261,6 @@ void Elimination<S>::drop_row(int row) {
   rows_[row] = Row<S>();
 }
 
-/// For a matrix without units: isolate its smallest entry, as often as it takes; units may appear meanwhile.
 template <class S>
 bool Elimination<S>::divide_out() {
   while (const std::optional<Pivot> pivot = smallest_entry())
@@ -382,6 +396,12 @@ std::vector<Row<Integer>> in_large_integers(const std::vector<Row<Small>>& rows)
   return large;
 }
 
+/// Whether eliminating in integers, which outgrew the machine's, would let them grow on: many rows are left.
+bool is_for_modular(const std::vector<Row<Integer>>& rows) {
+  constexpr int many = 16;
+  return std::count_if(rows.begin(), rows.end(), [](const auto& row) { return row.size() > 0; }) >= many;
+}
+
 } // namespace
 
 SmithForm smith_normal_form(const SparseMatrix& matrix) {
@@ -398,7 +418,14 @@ SmithForm smith_normal_form(const SparseMatrix& matrix) {
   }
   if (!done) {
     Elimination<Integer> elimination(std::move(rows), matrix.columns());
-    elimination.run();
+    elimination.take_units();
+    if (is_for_modular(elimination.rows())) {
+      const SmithForm rest = modular_smith_form(elimination.rows());
+      form.units += rest.units;
+      form.factors.insert(form.factors.end(), rest.factors.begin(), rest.factors.end());
+    } else {
+      elimination.divide_out();
+    }
     form.units += elimination.units();
     form.factors.insert(form.factors.end(), elimination.divisors().begin(), elimination.divisors().end());
   }

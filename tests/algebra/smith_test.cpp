@@ -8,6 +8,7 @@
 #include <catch2/catch.hpp>
 
 #include <array>
+#include <utility>
 
 using namespace tetrarch;
 using namespace tetrarch::algebra;
@@ -25,6 +26,25 @@ Dense transposed(const Dense& m) {
   for (std::size_t i = 0; i < m.size(); ++i)
     for (std::size_t j = 0; j < m[0].size(); ++j) out[j][i] = m[i][j];
   return out;
+}
+
+/// The matrix with this diagonal, hidden: rows and columns, some of them zero, are mixed with many-digit factors.
+Dense hidden(const std::vector<Integer>& diagonal, std::size_t rows, std::size_t columns, Random& random) {
+  Dense m(rows, std::vector<Integer>(columns));
+  for (std::size_t i = 0; i < diagonal.size(); ++i) m[i][i] = diagonal[i];
+  const auto factor = [&random] {
+    return (Integer(random.below(1 << 30)) << 30) + random.below(1 << 30) - (Integer(1) << 59);
+  };
+  // Each line but the last gets a multiple of the next, then each but the first one of the one before.
+  const auto add = [](auto& x, const auto& y, const Integer& f) {
+    for (std::size_t k = 0; k < x.size(); ++k) x[k] += f * y[k];
+  };
+  for (int turn = 0; turn < 2; ++turn) {
+    for (std::size_t i = 0; i + 1 < m.size(); ++i) add(m[i], m[i + 1], factor());
+    for (std::size_t i = m.size(); i-- > 1;) add(m[i], m[i - 1], factor());
+    m = transposed(m);
+  }
+  return m;
 }
 
 } // namespace
@@ -175,5 +195,56 @@ TEST_CASE("Z/a + Z/b is Z/gcd + Z/lcm, and order does not matter", "[abelian]") 
       CHECK((factors[i] > 1 && (i == 0 || factors[i] % factors[i - 1] == 0)));
     }
     CHECK(product == 1);
+  }
+}
+
+TEST_CASE("Invariant factors hidden behind entries of many digits are found", "[smith]") {
+  Random random(7);
+  const Integer large = (Integer(1) << 200) + 235; // whatever its divisors
+  for (int round = 0; round < 6; ++round) {
+    CAPTURE(round);
+    // The zero of rank, and of columns, and factors that are the whole minor.
+    CHECK(smith(hidden(std::vector<Integer>(20, 1), 20, 20, random)) == SmithForm{20, {}});
+    std::vector<Integer> one(20, 1);
+    one.back() = large;
+    CHECK(smith(hidden(one, 20, 20, random)) == SmithForm{19, {large}});
+    CHECK(smith(hidden(one, 24, 20, random)) == SmithForm{19, {large}});
+    CHECK(smith(hidden(one, 20, 23, random)) == SmithForm{19, {large}});
+    std::vector<Integer> many(17, 1);
+    for (const int d : {2, 2, 6, 12, 360}) many.push_back(d);
+    many.push_back(360 * large);
+    many.push_back(360 * large);
+    const Torsion factors{2, 2, 6, 12, 360, 360 * large, 360 * large};
+    CHECK(smith(hidden(many, 24, 24, random)) == SmithForm{17, factors});
+    CHECK(smith(hidden(many, 29, 27, random)) == SmithForm{17, factors});
+    CHECK(smith(hidden(std::vector<Integer>(18, 30), 18, 18, random)) == SmithForm{0, Torsion(18, 30)});
+  }
+}
+
+// The first homology of the n-fold cyclic covers of the figure-eight knot's exterior, as t - 3 + 1/t presents it:
+// Z/L + Z/L for odd n, with Lucas' number L of n, and Z/F + Z/5F for even n, with Fibonacci's number F (Plans; Rolfsen,
+// "Knots and Links", 8.D for small n).
+TEST_CASE("Covers of the figure-eight knot have Lucas' and Fibonacci's numbers", "[smith]") {
+  Random random(8);
+  for (const int n : {40, 41, 60, 61}) {
+    CAPTURE(n);
+    Dense circulant(n, std::vector<Integer>(n));
+    for (int i = 0; i < n; ++i) {
+      circulant[i][i] = -3;
+      circulant[i][(i + 1) % n] += 1;
+      circulant[i][(i + n - 1) % n] += 1;
+    }
+    Integer fibonacci = 0;
+    Integer next = 1;
+    for (int k = 0; k < n; ++k) fibonacci = std::exchange(next, Integer(fibonacci + next));
+    const Integer lucas = 2 * next - fibonacci;
+    const Torsion factors = n % 2 == 1 ? Torsion{lucas, lucas} : Torsion{fibonacci, 5 * fibonacci};
+    CHECK(smith(circulant) == SmithForm{n - 2, factors});
+    // The same, with its units hidden.
+    for (int i = 0; i + 1 < n; ++i) {
+      const Integer f = (Integer(random.below(1 << 30)) << 40) + 1;
+      for (int j = 0; j < n; ++j) circulant[i][j] += f * circulant[i + 1][j];
+    }
+    CHECK(smith(circulant) == SmithForm{n - 2, factors});
   }
 }
