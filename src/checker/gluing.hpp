@@ -43,7 +43,9 @@ struct Classes {
   std::vector<std::array<int, 6>> edge;   ///< of each tetrahedron's edges, the class
   std::vector<std::array<int, 4>> vertex; ///< of each tetrahedron's vertices, the class
   std::vector<std::array<int, 2>> ends;   ///< of each class of edges, the classes of its vertices
-  std::vector<int> link;                  ///< of each class of vertices, the Euler characteristic of its link
+  /// end[t][v][w]: a number for that end at v of the edge to w, the same wherever edges are glued.
+  std::vector<std::array<std::array<int, 4>, 4>> end;
+  std::vector<int> link; ///< of each class of vertices, the Euler characteristic of its link
   bool orientable = true;
   std::string fault; ///< why this is no closed connected space that could be hyperbolic; empty if it may be
 };

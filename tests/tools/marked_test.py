@@ -116,6 +116,15 @@ class ClosedManifolds(InFolder):
             self.assertEqual([v["type"] for v in found["vertices"]], ["finite"])
             self.assertNotIn("cusps", found)
 
+    def test_they_are_certified(self):
+        path = self.path("weeks.cert.json")
+        status, found = run_json("hyperbolize", "jLvMLQQbfefgihhiixiptvvvgof", "--digits", "40", "-o", path)
+        self.assertEqual((status, found["certified"]), (0, True))
+        # 3 * 23^(3/2) zeta_K(2) / (4 pi^4), by mpmath: see tests/verified/closed_test.cpp.
+        self.assertEqual(found["volume_digits"], "0.9427073627769277209212996030922116475903")
+        status, report = run_json("verify", path)
+        self.assertEqual((status, report["accepted"], report["links"]), (0, True, [2]))
+
     def test_others_have_none(self):
         for name in ("cMcabbgqw", "cMcabbjak"):  # RP^3 and L(3,1)
             status, found = run_json("hyperbolize", name)

@@ -11,13 +11,15 @@
 ///        side of the triangle at corner v, in the face v a b (w = minus the inner product, s = -dw/dl):
 ///          cosh y = (w_ab + w_va w_vb) / (s_va s_vb)                     v hyperideal: law (4.3), extended
 ///          y^2    = [a] / w_va^2 + [b] / w_vb^2 + 2 w_ab / (w_va w_vb)   v ideal; [a] is 1 if hyperideal,
-///          else 0
-///        its angles are the dihedral ones: law (4.2), or the Euclidean law of cosines
+///                                                                        0 if ideal, -1 if finite
+///          cos y  = (w_va w_vb - w_ab) / (s_va s_vb)                     v finite
+///        its angles are the dihedral ones: law (4.2), the Euclidean law of cosines, or the spherical one
 ///
 /// If the sides are real and every |cos| < 1, the tetrahedron exists. That the lengths in the box have one
-/// zero of all curvatures is Krawczyk's test. The volume comes from the angles by Ushijima's formula as it is
-/// printed (Lobachevsky's where all vertices are ideal), at the midpoint, and from there by Schlaefli's.
-/// Sources: Yin, section 4.3; Ushijima 2006; Moore-Kearfott-Cloud 2009, section 8.2.
+/// zero of all curvatures is Krawczyk's test; that the equations which finite vertices leave out hold, too,
+/// is seen in their links (src/checker/links.hpp). The volume comes from the angles by Ushijima's formula as
+/// it is printed (Lobachevsky's where all vertices are ideal), at the midpoint, and from there by
+/// Schlaefli's. Sources: Yin, section 4.3; Ushijima 2006; Moore-Kearfott-Cloud 2009, section 8.2.
 
 #include <functional>
 #include <string>

@@ -14,10 +14,10 @@
 ///     }
 ///
 /// It says: the gluing carries exactly one hyperbolic structure whose edges have lengths within `radius` of
-/// those given (exactly so where `fixed`: these choose the horospheres), and the claims hold. `links` are the
-/// Euler characteristics of the vertex links in increasing order. Exact numbers are integers times powers of
-/// two. The checker of such files is in checker/check.hpp; the schema is
-/// census/schema/certificate.schema.json.
+/// those given (exactly so where `fixed`: these choose the horospheres and the places of finite vertices),
+/// and the claims hold. `links` are the Euler characteristics of the vertex links in increasing order. Exact
+/// numbers are integers times powers of two. The checker of such files is in checker/check.hpp; the schema
+/// is census/schema/certificate.schema.json.
 
 #include "tetrarch/verified/structure.hpp"
 
