@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "tetrarch/checker/check.hpp"
 
+#include "cells.hpp"
 #include "gluing.hpp"
 #include "inverse.hpp"
 #include "links.hpp"
@@ -169,7 +170,9 @@ private:
     if (fault.empty() && points_ > 0 &&
         !dropped_vanish({given_.gluings, classes_, box, on_box->curvature, on_box->angles}, fixed_))
       return "the equations of the fixed edges do not follow from the others";
-    return fault.empty() ? look_at_volume(*at_middle, *on_box, radius) : fault;
+    if (fault.empty()) fault = look_at_volume(*at_middle, *on_box, radius);
+    if (!fault.empty() || !given_.cells) return fault;
+    return look_at_cells({given_.gluings, classes_, box, on_box->curvature, on_box->angles});
   }
 
   /// |Y K(m)| + |1 - Y H(X)| r < r, line by line; H = -K'.
@@ -207,6 +210,20 @@ private:
     g = g + hull(-error, error);
     if (less_equal(Interval(given_.volume[0]), g) && less_equal(g, Interval(given_.volume[1]))) return {};
     return "the volume is not proved to lie between the ends claimed";
+  }
+
+  std::string look_at_cells(const OnBox& box) {
+    std::string fault = fault_in_cells(box, *given_.cells);
+    if (!fault.empty()) return fault;
+    report_.has_cells = true;
+    report_.cusp_area = given_.cells->cusp_area;
+    for (const CellClaims::Face& face : given_.cells->faces) {
+      if (face.flat.empty())
+        ++report_.walls;
+      else
+        ++report_.unchecked[face.flat];
+    }
+    return {};
   }
 
   const Certificate& given_;

@@ -94,7 +94,7 @@ private:
   }
 
   Interval cosine(const Placed& p, int a, int b) const {
-    return face_cosine(lengths(p.tet), kinds(p.tet), p.at, a, b);
+    return corner_side(lengths(p.tet), kinds(p.tet), p.at, a, b);
   }
 
   /// From a, as far as the face's angle says, turned from b by the dihedral angle.

@@ -41,8 +41,7 @@ EdgeForms edge_forms(const std::array<Interval, 6>& lengths, const Corners& kind
   return forms;
 }
 
-/// What the triangle at corner v knows of its side y in the face v a b: cosh y, y^2 or cos y, as v is
-/// hyperideal, ideal or finite.
+/// As `corner_side`.
 Dual side(const EdgeForms& f, const Corners& kinds, int v, int a, int b) {
   if (kinds[v] != 0)
     return (constant(kinds[v]) * f.w[a][b] + f.w[v][a] * f.w[v][b]) / (f.s[v][a] * f.s[v][b]);
@@ -93,8 +92,17 @@ Corners kinds_at(const Classes& classes, int tet) {
   return kinds;
 }
 
-Interval face_cosine(const std::array<Interval, 6>& lengths, const Corners& kinds, int v, int a, int b) {
+Interval corner_side(const std::array<Interval, 6>& lengths, const Corners& kinds, int v, int a, int b) {
   return side(edge_forms(lengths, kinds), kinds, v, a, b).value;
+}
+
+std::array<std::array<Interval, 4>, 4> products(const std::array<Interval, 6>& lengths,
+                                                const Corners& kinds) {
+  const EdgeForms forms = edge_forms(lengths, kinds);
+  std::array<std::array<Interval, 4>, 4> g;
+  for (int i = 0; i < 4; ++i)
+    for (int j = 0; j < 4; ++j) g[i][j] = i == j ? Interval(kinds[i]) : -forms.w[i][j].value;
+  return g;
 }
 
 std::optional<std::array<Dual, 6>> dihedral_angles(const std::array<Interval, 6>& lengths,

@@ -26,8 +26,12 @@ using StillWanted = std::function<void()>;
 std::optional<std::array<Dual, 6>> dihedral_angles(const std::array<Interval, 6>& lengths,
                                                    const Corners& kinds);
 
-/// The cosine of the angle at a finite vertex v between the edges to a and b.
-Interval face_cosine(const std::array<Interval, 6>& lengths, const Corners& kinds, int v, int a, int b);
+/// What the triangle at corner v knows of its side y in the face v a b: cosh y, y^2 or cos y, as v is
+/// hyperideal, ideal or finite.
+Interval corner_side(const std::array<Interval, 6>& lengths, const Corners& kinds, int v, int a, int b);
+
+/// The inner products of its vertex vectors.
+std::array<std::array<Interval, 4>, 4> products(const std::array<Interval, 6>& lengths, const Corners& kinds);
 
 /// Of the angles of a tetrahedron that exists: Lobachevsky's formula if all vertices are ideal, else
 /// Ushijima's.

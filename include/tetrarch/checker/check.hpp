@@ -17,11 +17,13 @@
 ///
 /// If the sides are real and every |cos| < 1, the tetrahedron exists. That the lengths in the box have one
 /// zero of all curvatures is Krawczyk's test; that the equations which finite vertices leave out hold, too,
-/// is seen in their links (src/checker/links.hpp). The volume comes from the angles by Ushijima's formula as
+/// is seen in their links (src/checker/links.hpp). Canonical cells, if the certificate claims some, are those
+/// of src/checker/cells.hpp. The volume comes from the angles by Ushijima's formula as
 /// it is printed (Lobachevsky's where all vertices are ideal), at the midpoint, and from there by
 /// Schlaefli's. Sources: Yin, section 4.3; Ushijima 2006; Moore-Kearfott-Cloud 2009, section 8.2.
 
 #include <functional>
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -40,6 +42,12 @@ struct Report {
   std::string volume[2] = {}; ///< the claimed ends
   std::string radius;         ///< as claimed
   int bits = 0;               ///< as claimed; the check computes with 128 more
+  bool has_cells = false;     ///< canonical cells are claimed, and accepted
+  int walls = 0;              ///< faces between cells, each proved to be strictly convex
+  /// Faces inside cells, by the criterion that is said to prove them flat. That is not checked, but for their
+  /// being flat as far as intervals tell. Where there are none, the cells are proved.
+  std::map<std::string, int> unchecked;
+  std::string cusp_area; ///< of each cusp's cross-section, as claimed; empty: there are none
 };
 
 /// Throws InputError that names `source` for a text that is no certificate: broken JSON, a member that is
