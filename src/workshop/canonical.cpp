@@ -485,8 +485,8 @@ const FieldList<Cells>& fields_of<Cells>() {
        [](C c) -> Tree { return c.canonical->proof.why_not; },
        is_not_proved},
       {{"criteria", "",
-        "what proves each cell: tetrahedron, or how it is proved flat (R: orbits, F: one line, B: blocks, E: "
-        "exact algebra)"},
+        "what proves each cell: tetrahedron, or how it is proved flat (R: orbits, F: one line, B: blocks, L: "
+        "linear relations, E: exact algebra)"},
        [](C c) { return criteria_of(c.canonical->proof); },
        is_proved},
       {{"certificate", "", "SHA-256 of the file that proves structure and cells"},

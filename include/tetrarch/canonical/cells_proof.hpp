@@ -15,8 +15,9 @@ enum class Criterion {
   one_line,    ///< F
   blocks,      ///< B
   exact,       ///< E
+  relations,   ///< L
 };
-/// "tetrahedron", "R", "F", "B", "E".
+/// "tetrahedron", "R", "F", "B", "E", "L".
 const char* to_string(Criterion criterion);
 
 /// Whether cells were proved, and how.
