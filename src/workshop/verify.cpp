@@ -58,7 +58,7 @@ template <>
 const FieldList<Report>& fields_of<Report>() {
   using R = const Report&;
   static const FieldList<Report> fields{
-      {{"accepted", "", "whether the certificate proves what it claims"},
+      {{"accepted", "", "whether the certificate proves what it claims, but for what `unchecked` lists"},
        [](R r) -> Tree { return r.accepted; }},
       {{"reason", "", "the first thing that is not proved"},
        [](R r) -> Tree { return r.why_not; },

@@ -93,6 +93,12 @@ class MarkedEdges(InFolder):
         self.assertEqual((status, found["outcome"], found["reason"]), (1, "not hyperbolic", "bad_vertex"))
         status, found = run_json("hyperbolize", path, "--parabolic", "all", "--certify")
         self.assertEqual((status, found["certified"]), (4, False))
+        # Cells with marks are not proved, and no certificate says that they are.
+        out = self.path("cells.cert.json")
+        done = run("canonize", self.path("graph.orb", GRAPH), "-o", out)
+        self.assertEqual(done.returncode, 4)
+        self.assertIn("cells.cert.json was not written: the cells are not proved", done.stderr)
+        self.assertFalse(os.path.exists(out))
 
     def test_tetrahedra_turned_over_are_no_structure(self):
         path = self.path("flat.orb", FLAT)
