@@ -14,18 +14,18 @@ namespace tetrarch::canonical {
 using numeric::Ball;
 
 const char* to_string(Criterion criterion) {
-  constexpr std::array<const char*, 5> names{"tetrahedron", "R", "F", "B", "E"};
+  constexpr std::array<const char*, 6> names{"tetrahedron", "R", "F", "B", "E", "L"};
   return names[static_cast<std::size_t>(criterion)];
 }
 
 namespace {
 
-/// R or F for every cell; -1 if all are proved, else the first that is not.
+/// R or F for every cell, or L if that is allowed; -1 if all are proved, else the first that is not.
 int prove_each(const Decorated<Ball>& m, const FlatFaces& flat, const CellShapes& shapes,
-               std::vector<Criterion>& criteria) {
+               std::vector<Criterion>& criteria, bool relations = false) {
   criteria.clear();
   for (int cell = 0; cell < static_cast<int>(shapes.cells.size()); ++cell) {
-    const auto criterion = prove_flat(m, flat, shapes, cell);
+    const auto criterion = prove_flat(m, flat, shapes, cell, relations);
     if (!criterion) return cell;
     criteria.push_back(*criterion);
   }
@@ -92,6 +92,7 @@ CellsProof certify_cells(const Triangulation& tri, const Skeleton& skeleton,
   proof.certified = doubtful < 0 ||
                     (solvers.merged &&
                      prove_merged(tri, skeleton, lengths, flat, shapes, solvers.merged, proof.criteria)) ||
+                    prove_each(m, flat, shapes, proof.criteria, true) < 0 ||
                     (solvers.precise && prove_exactly(tri, skeleton, flat, shapes, solvers, proof));
   if (!proof.certified) {
     proof.criteria.clear();

@@ -112,22 +112,14 @@ private:
   }
 
   bool place_neighbor(TetFace f, const Algebraic& far) {
-    const Gram<Algebraic>& here = gram_[f.tet];
     const Gluing g = tri_.gluing(f);
-    const numeric::Minors<Algebraic> minors(here);
-    const auto over_determinant = minors.determinant().inverse();
-    if (!over_determinant) return false;
-    const Gram<Algebraic> adjugate = numeric::adjugate(here, minors);
     const int vertex = g.perm[f.face];
-    Vector& a = across_[f.tet][f.face];
-    for (int i = 0; i < 4; ++i) {
-      a[i] = Algebraic(0);
-      for (int j = 0; j < 4; ++j)
-        a[i] += adjugate[i][j] * (j == f.face ? far : gram_[g.tet][g.perm[j]][vertex]);
-      a[i] *= *over_determinant;
-    }
-    // The norm is right, and the neighbor lies on the other side.
-    return exact_product(a, here, a) == gram_[g.tet][vertex][vertex] && a[f.face].value() < 0;
+    Vector products;
+    for (int j = 0; j < 4; ++j) products[j] = j == f.face ? far : gram_[g.tet][g.perm[j]][vertex];
+    const auto a = far_vertex(gram_[f.tet], products, gram_[g.tet][vertex][vertex], f.face);
+    if (!a) return false;
+    across_[f.tet][f.face] = *a;
+    return true;
   }
 
   /// Coordinates in the neighbor's basis become coordinates in this one's.
@@ -215,6 +207,21 @@ void scale(Decorated<Ball>& m, const Skeleton& skeleton) {
 }
 
 } // namespace
+
+std::optional<Vector> far_vertex(const Gram<Algebraic>& near, const Vector& products, const Algebraic& norm,
+                                 int face) {
+  const numeric::Minors<Algebraic> minors(near);
+  const auto over_determinant = minors.determinant().inverse();
+  if (!over_determinant) return std::nullopt;
+  const Gram<Algebraic> adjugate = numeric::adjugate(near, minors);
+  Vector a;
+  for (int i = 0; i < 4; ++i) {
+    for (int j = 0; j < 4; ++j) a[i] += adjugate[i][j] * products[j];
+    a[i] *= *over_determinant;
+  }
+  if (exact_product(a, near, a) != norm || !(a[face].value() < 0)) return std::nullopt;
+  return a;
+}
 
 std::vector<Ball> products_to_guess(const Decorated<Ball>& m, const Skeleton& skeleton) {
   std::vector<Ball> list;

@@ -7,6 +7,7 @@
 #include "tetrarch/canonical/decorated.hpp"
 #include "tetrarch/numeric/algebraic.hpp"
 
+#include <array>
 #include <functional>
 #include <optional>
 #include <string>
@@ -24,6 +25,13 @@ std::optional<std::string> prove_flat_exactly(const Triangulation& tri, const Sk
 /// Its two halves. What is guessed: inner products of the ends of edges, edge by edge, then those of the
 /// vertices off a face on both sides, in the order of each face's first side.
 std::vector<numeric::Ball> products_to_guess(const Decorated<numeric::Ball>& m, const Skeleton& skeleton);
+
+/// The vertex beyond face `face` in the basis of the four near ones, from its inner products with them.
+/// Nothing unless its norm comes out as this, and it lies on the other side of the face. (Without the norm,
+/// tetrahedra that close up around edges make a projective structure, which need not be hyperbolic.)
+std::optional<std::array<numeric::Algebraic, 4>> far_vertex(const Gram<numeric::Algebraic>& near,
+                                                            const std::array<numeric::Algebraic, 4>& products,
+                                                            const numeric::Algebraic& norm, int face);
 
 /// What is proved: these numbers, taken for what `products_to_guess` lists, make the hyperbolic structure
 /// with cusps of one area, in which all faces marked `flat` are so. O(n) products in the field;

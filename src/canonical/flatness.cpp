@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "flatness.hpp"
 
+#include "relations.hpp"
+
 #include "tetrarch/numeric/union_find.hpp"
 
 #include <algorithm>
@@ -55,23 +57,6 @@ Ball ball_product(const Gram<Ball>& w, const Coordinates& x, const Coordinates& 
   return sum;
 }
 
-/// By elimination: every pivot is certainly not 0.
-bool is_regular(BallMatrix m) {
-  const std::size_t n = m.size();
-  for (std::size_t c = 0; c < n; ++c) {
-    std::size_t pivot = c;
-    for (std::size_t r = c; r < n; ++r)
-      if (std::abs(numeric::to_double(m[r][c])) > std::abs(numeric::to_double(m[pivot][c]))) pivot = r;
-    if (!(abs(m[pivot][c]) > 0)) return false;
-    std::swap(m[pivot], m[c]);
-    for (std::size_t r = c + 1; r < n; ++r) {
-      const Ball times = m[r][c] / m[c][c];
-      for (std::size_t k = c; k < n; ++k) m[r][k] -= times * m[c][k];
-    }
-  }
-  return true;
-}
-
 /// The orbits of a group of maps on its points, by a number for each point.
 std::vector<int> orbits(const std::vector<CornerMap>& group, int points) {
   std::vector<int> root(static_cast<std::size_t>(points));
@@ -117,6 +102,18 @@ public:
     for (int a = 1; a < orbit_count_; ++a)
       if (!has_equal_means(0, a, symbol)) return false;
     return true;
+  }
+
+  bool has_relations() const {
+    const std::vector<int> symbol = symbols();
+    SymbolMatrix named(gram_.size(), std::vector<int>(gram_.size(), 0));
+    for (int i = 0; i < shape_.corners; ++i)
+      for (int j = 0; j < shape_.corners; ++j)
+        if (i == j)
+          named[i][i] = numeric::to_double(gram_[i][i]) > 0.5 ? 1 : 0; // it is one of these
+        else
+          named[i][j] = symbol[pair(i, j)];
+    return is_flat_by_relations(named, gram_);
   }
 
 private:
@@ -185,6 +182,22 @@ private:
 
 } // namespace
 
+bool is_regular(BallMatrix m) {
+  const std::size_t n = m.size();
+  for (std::size_t c = 0; c < n; ++c) {
+    std::size_t pivot = c;
+    for (std::size_t r = c; r < n; ++r)
+      if (std::abs(numeric::to_double(m[r][c])) > std::abs(numeric::to_double(m[pivot][c]))) pivot = r;
+    if (!(abs(m[pivot][c]) > 0)) return false;
+    std::swap(m[pivot], m[c]);
+    for (std::size_t r = c + 1; r < n; ++r) {
+      const Ball times = m[r][c] / m[c][c];
+      for (std::size_t k = c; k < n; ++k) m[r][k] -= times * m[c][k];
+    }
+  }
+  return true;
+}
+
 BallMatrix gram_of_cell(const Decorated<Ball>& m, const FlatFaces& flat, const CellShapes& shapes, int cell) {
   const std::vector<Coordinates> at = develop(m, flat, shapes, cell);
   const Gram<Ball>& w = m.gram[shapes.cells[cell].tets[0]];
@@ -195,7 +208,7 @@ BallMatrix gram_of_cell(const Decorated<Ball>& m, const FlatFaces& flat, const C
 }
 
 std::optional<Criterion> prove_flat(const Decorated<Ball>& m, const FlatFaces& flat, const CellShapes& shapes,
-                                    int cell) {
+                                    int cell, bool relations) {
   const CellShape& shape = shapes.cells[cell];
   if (shape.tets.size() == 1) return Criterion::tetrahedron;
   bool cusps = false;
@@ -210,6 +223,7 @@ std::optional<Criterion> prove_flat(const Decorated<Ball>& m, const FlatFaces& f
                       std::vector<int>(corners.begin(), corners.end()), std::move(group));
   if (look.has_regular_orbits()) return Criterion::orbits;
   if (look.fixes_one_line()) return Criterion::one_line;
+  if (relations && look.has_relations()) return Criterion::relations;
   return std::nullopt;
 }
 

@@ -18,8 +18,11 @@ using BallMatrix = std::vector<std::vector<numeric::Ball>>;
 BallMatrix gram_of_cell(const Decorated<numeric::Ball>& m, const FlatFaces& flat, const CellShapes& shapes,
                         int cell);
 
-/// The criterion that proves cell number `cell` flat; nothing where none does.
+/// Of a square matrix: every pivot of elimination is certainly not 0.
+bool is_regular(BallMatrix m);
+
+/// The criterion that proves cell number `cell` flat; nothing where none does. L is tried if that is allowed.
 std::optional<Criterion> prove_flat(const Decorated<numeric::Ball>& m, const FlatFaces& flat,
-                                    const CellShapes& shapes, int cell);
+                                    const CellShapes& shapes, int cell, bool relations = false);
 
 } // namespace tetrarch::canonical

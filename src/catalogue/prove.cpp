@@ -34,6 +34,7 @@ void prove_cells(canonical::Canonical& c, const Progress& progress) {
         return std::move(precise.proof->lengths);
       };
     c.proof = canonical::certify_cells(c.triangulation, skeleton, certified.proof->lengths, c.flat, solvers);
+    c.proof.bits = bits;
     if (c.proof.certified) return;
   }
 }

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "tetrarch/checker/check.hpp"
 
+#include "cells.hpp"
 #include "gluing.hpp"
+#include "inverse.hpp"
+#include "links.hpp"
 #include "tetrahedron.hpp"
 
 #include <algorithm>
@@ -16,35 +19,6 @@ namespace {
 constexpr int guard_bits = 128;
 
 using Matrix = std::vector<std::vector<Interval>>;
-
-/// The inverse of a matrix of doubles by elimination; nothing where a pivot vanishes.
-std::optional<std::vector<std::vector<double>>> inverse(std::vector<std::vector<double>> m) {
-  const std::size_t n = m.size();
-  std::vector<std::vector<double>> result(n, std::vector<double>(n, 0));
-  for (std::size_t i = 0; i < n; ++i) result[i][i] = 1;
-  for (std::size_t c = 0; c < n; ++c) {
-    std::size_t pivot = c;
-    for (std::size_t r = c; r < n; ++r)
-      if (std::abs(m[r][c]) > std::abs(m[pivot][c])) pivot = r;
-    if (!(std::abs(m[pivot][c]) > 0)) return std::nullopt;
-    std::swap(m[pivot], m[c]);
-    std::swap(result[pivot], result[c]);
-    const double scale = 1 / m[c][c];
-    for (std::size_t k = 0; k < n; ++k) {
-      m[c][k] *= scale;
-      result[c][k] *= scale;
-    }
-    for (std::size_t r = 0; r < n; ++r) {
-      const double times = m[r][c];
-      if (r == c || times == 0) continue;
-      for (std::size_t k = 0; k < n; ++k) {
-        m[r][k] -= times * m[c][k];
-        result[r][k] -= times * result[c][k];
-      }
-    }
-  }
-  return result;
-}
 
 /// Whether a square matrix of whole numbers is invertible. Modulo a prime: yes there means yes.
 bool is_invertible(std::vector<std::vector<std::int64_t>> m) {
@@ -67,6 +41,7 @@ bool is_invertible(std::vector<std::vector<std::int64_t>> m) {
 /// The curvatures of all edges, -dK/dl, and the sum of volumes; of lengths in a box or at a point.
 struct Sums {
   std::vector<Interval> curvature;
+  std::vector<std::array<Interval, 6>> angles; ///< by tetrahedron
   Matrix slope;
   Interval volume;
 };
@@ -133,14 +108,17 @@ private:
     return {};
   }
 
-  /// As many lengths are fixed as there are cusps, and the dropped equations follow from the others.
+  /// One length is fixed for each cusp, three for each finite vertex. With cusps alone, the dropped equations
+  /// follow from the others by their sums; with finite vertices that is seen on the box.
   std::string look_at_cusps() {
     std::vector<int> number(classes_.link.size(), -1);
     int cusps = 0;
     for (std::size_t v = 0; v < number.size(); ++v)
       if (classes_.link[v] == 0) number[v] = cusps++;
-    if (static_cast<int>(fixed_.size()) != cusps)
-      return "the number of fixed lengths is not that of the cusps";
+    points_ = static_cast<int>(std::count(classes_.link.begin(), classes_.link.end(), 2));
+    if (static_cast<int>(fixed_.size()) != cusps + 3 * points_)
+      return "the number of fixed lengths is not that of the cusps and three for each finite vertex";
+    if (points_ > 0) return {};
     std::vector<std::vector<std::int64_t>> ends(fixed_.size(), std::vector<std::int64_t>(fixed_.size(), 0));
     for (std::size_t k = 0; k < fixed_.size(); ++k)
       for (const int v : classes_.ends[fixed_[k]])
@@ -156,10 +134,9 @@ private:
     for (std::size_t t = 0; t < given_.gluings.size(); ++t) {
       ask_();
       std::array<Interval, 6> six;
-      Corners hyperideal{};
-      for (int v = 0; v < 4; ++v) hyperideal[v] = classes_.link[classes_.vertex[t][v]] < 0;
+      const Corners kinds = kinds_at(classes_, static_cast<int>(t));
       for (int e = 0; e < 6; ++e) six[e] = lengths[classes_.edge[t][e]];
-      const auto angles = dihedral_angles(six, hyperideal);
+      const auto angles = dihedral_angles(six, kinds);
       if (!angles) return std::nullopt;
       std::array<Interval, 6> values;
       for (int e = 0; e < 6; ++e) {
@@ -168,7 +145,8 @@ private:
         sum.curvature[c] = sum.curvature[c] - values[e];
         add_slopes((*angles)[e], t, place_[c], sum.slope);
       }
-      if (with_volume) sum.volume = sum.volume + volume(values, hyperideal, ask_);
+      sum.angles.push_back(values);
+      if (with_volume) sum.volume = sum.volume + volume(values, kinds, ask_);
     }
     return sum;
   }
@@ -189,7 +167,12 @@ private:
     const auto on_box = sums(box, false);
     if (!at_middle || !on_box) return "a tetrahedron does not exist for all lengths in the box";
     std::string fault = krawczyk(*at_middle, *on_box, radius);
-    return fault.empty() ? look_at_volume(*at_middle, *on_box, radius) : fault;
+    if (fault.empty() && points_ > 0 &&
+        !dropped_vanish({given_.gluings, classes_, box, on_box->curvature, on_box->angles}, fixed_))
+      return "the equations of the fixed edges do not follow from the others";
+    if (fault.empty()) fault = look_at_volume(*at_middle, *on_box, radius);
+    if (!fault.empty() || !given_.cells) return fault;
+    return look_at_cells({given_.gluings, classes_, box, on_box->curvature, on_box->angles});
   }
 
   /// |Y K(m)| + |1 - Y H(X)| r < r, line by line; H = -K'.
@@ -229,12 +212,27 @@ private:
     return "the volume is not proved to lie between the ends claimed";
   }
 
+  std::string look_at_cells(const OnBox& box) {
+    std::string fault = fault_in_cells(box, *given_.cells);
+    if (!fault.empty()) return fault;
+    report_.has_cells = true;
+    report_.cusp_area = given_.cells->cusp_area;
+    for (const CellClaims::Face& face : given_.cells->faces) {
+      if (face.flat.empty())
+        ++report_.walls;
+      else
+        ++report_.unchecked[face.flat];
+    }
+    return {};
+  }
+
   const Certificate& given_;
   const StillWanted& ask_;
   Classes classes_;
   Report report_;
   std::vector<Interval> middle_;  ///< lengths, by class
   std::vector<int> fixed_, free_; ///< classes
+  int points_ = 0;                ///< finite vertices
   std::vector<int> place_;        ///< of each class among the free ones, or -1
 };
 

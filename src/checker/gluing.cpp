@@ -99,8 +99,8 @@ void find_links(Classes& found) {
   }
   for (const int euler : twice) {
     found.link.push_back(euler / 2);
-    if (euler % 2 != 0 || euler > 0)
-      found.fault = "a vertex link is a sphere or a projective plane, which no hyperbolic vertex has";
+    if (euler % 2 != 0 || euler == 2)
+      found.fault = "a vertex link is a projective plane, which no hyperbolic vertex has";
   }
 }
 
@@ -148,6 +148,10 @@ Classes classes_of(const Gluings& gluings) {
         found.ends.resize(static_cast<std::size_t>(six[e]) + 1);
       found.ends[six[e]] = {four[a], four[b]};
     }
+    std::array<std::array<int, 4>, 4> ends{};
+    for (int v = 0; v < 4; ++v)
+      for (int w = 0; w < 4; ++w) ends[v][w] = edges.root(directed(t, v, w));
+    found.end.push_back(ends);
     found.edge.push_back(six);
     found.vertex.push_back(four);
   }

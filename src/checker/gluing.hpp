@@ -4,6 +4,7 @@
 /// What a certificate says, and the gluing's classes found anew.
 
 #include <array>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -17,6 +18,17 @@ constexpr std::array<std::array<int, 2>, 6> ends_of_edge{{{0, 1}, {0, 2}, {0, 3}
 struct FaceGluing {
   int tet = 0;
   std::array<int, 4> images{};
+};
+
+/// Which faces are walls between canonical cells, and which are only drawn inside one.
+struct CellClaims {
+  std::string cusp_area; ///< of each cusp's cross-section; empty: there are no cusps
+  struct Face {
+    int tet = 0;
+    int face = 0;
+    std::string flat; ///< the criterion by which it was proved flat; empty: it is a wall, strictly convex
+  };
+  std::vector<Face> faces;
 };
 
 struct Certificate {
@@ -33,6 +45,7 @@ struct Certificate {
   bool orientable = false;
   std::vector<int> links;
   std::array<std::string, 2> volume;
+  std::optional<CellClaims> cells;
 };
 
 /// Throws InputError for what is none.
@@ -43,7 +56,9 @@ struct Classes {
   std::vector<std::array<int, 6>> edge;   ///< of each tetrahedron's edges, the class
   std::vector<std::array<int, 4>> vertex; ///< of each tetrahedron's vertices, the class
   std::vector<std::array<int, 2>> ends;   ///< of each class of edges, the classes of its vertices
-  std::vector<int> link;                  ///< of each class of vertices, the Euler characteristic of its link
+  /// end[t][v][w]: a number for that end at v of the edge to w, the same wherever edges are glued.
+  std::vector<std::array<std::array<int, 4>, 4>> end;
+  std::vector<int> link; ///< of each class of vertices, the Euler characteristic of its link
   bool orientable = true;
   std::string fault; ///< why this is no closed connected space that could be hyperbolic; empty if it may be
 };

@@ -26,8 +26,12 @@ public:
 
   Certificate read(std::string_view text) {
     const Json json = parsed(text);
-    require_members(json, "the certificate",
-                    {"format", "version", "gluings", "bits", "radius", "edges", "claims"});
+    if (json.is_object() && json.contains("cells"))
+      require_members(json, "the certificate",
+                      {"format", "version", "gluings", "bits", "radius", "edges", "claims", "cells"});
+    else
+      require_members(json, "the certificate",
+                      {"format", "version", "gluings", "bits", "radius", "edges", "claims"});
     if (json["format"] != "tetrarch-certificate") fail("\"format\" is not \"tetrarch-certificate\"");
     if (json["version"] != 1) fail("\"version\" is not 1");
     Certificate found;
@@ -36,6 +40,7 @@ public:
     found.radius = exact(json["radius"], "radius");
     read_edges(json["edges"], found);
     read_claims(json["claims"], found);
+    if (json.contains("cells")) read_cells(json["cells"], found);
     return found;
   }
 
@@ -166,6 +171,33 @@ private:
     for (const Json& link : json["links"]) found.links.push_back(integer(link, "links", -1'000'000'000, 2));
     if (!json["volume"].is_array() || json["volume"].size() != 2) fail("\"volume\": expected two numbers");
     for (int k = 0; k < 2; ++k) found.volume[k] = decimal(json["volume"][k], "volume");
+  }
+
+  void read_cells(const Json& json, Certificate& found) const {
+    require_members(json, "\"cells\"", {"cusp_area", "faces"});
+    CellClaims& cells = found.cells.emplace();
+    if (!json["cusp_area"].is_null()) {
+      cells.cusp_area = decimal(json["cusp_area"], "cusp_area");
+      if (cells.cusp_area.starts_with('-') ||
+          cells.cusp_area.find_first_of("123456789") >= cells.cusp_area.find('e'))
+        fail("\"cusp_area\": expected a positive number, found " + in_quotes(cells.cusp_area));
+    }
+    if (!json["faces"].is_array()) fail("\"faces\": expected a list");
+    for (const Json& entry : json["faces"]) {
+      require_members(entry, "a face", {"tetrahedron", "face", "flat"});
+      CellClaims::Face face;
+      face.tet = integer(entry["tetrahedron"], "tetrahedron", 0, static_cast<int>(found.gluings.size()) - 1);
+      face.face = integer(entry["face"], "face", 0, 3);
+      if (!entry["flat"].is_null()) face.flat = criterion(entry["flat"]);
+      cells.faces.push_back(std::move(face));
+    }
+  }
+
+  std::string criterion(const Json& json) const {
+    std::string found = text(json, "flat");
+    for (const char* known : {"R", "F", "B", "L", "E"})
+      if (found == known) return found;
+    fail("\"flat\": expected R, F, B, L, E or null, found " + in_quotes(found));
   }
 
   std::string source_;

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "tetrahedron.hpp"
 
-#include "gluing.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -20,7 +18,7 @@ struct EdgeForms {
   std::array<std::array<Dual, 4>, 4> s{};
 };
 
-EdgeForms edge_forms(const std::array<Interval, 6>& lengths, const Corners& hyperideal) {
+EdgeForms edge_forms(const std::array<Interval, 6>& lengths, const Corners& kinds) {
   EdgeForms forms;
   for (std::size_t e = 0; e < 6; ++e) {
     const auto [a, b] = ends_of_edge[e];
@@ -28,10 +26,13 @@ EdgeForms edge_forms(const std::array<Interval, 6>& lengths, const Corners& hype
     length.slope[e] = 1;
     Dual w = exp(length);
     Dual s = w;
-    if (hyperideal[a] && hyperideal[b]) {
+    if (kinds[a] * kinds[b] == 1) {
       w = cosh(length);
       s = sinh(length);
-    } else if (!hyperideal[a] && !hyperideal[b]) {
+    } else if (kinds[a] * kinds[b] == -1) {
+      w = sinh(length);
+      s = cosh(length);
+    } else if (kinds[a] == kinds[b]) {
       s = w = constant(2) * w;
     }
     forms.w[a][b] = forms.w[b][a] = w;
@@ -40,33 +41,40 @@ EdgeForms edge_forms(const std::array<Interval, 6>& lengths, const Corners& hype
   return forms;
 }
 
-/// What the triangle at corner v knows of its side in the face v a b: cosh y if v is hyperideal, else y^2.
-Dual side(const EdgeForms& f, const Corners& hyperideal, int v, int a, int b) {
-  if (hyperideal[v]) return (f.w[a][b] + f.w[v][a] * f.w[v][b]) / (f.s[v][a] * f.s[v][b]);
-  return constant(hyperideal[a] ? 1 : 0) / (f.w[v][a] * f.w[v][a]) +
-         constant(hyperideal[b] ? 1 : 0) / (f.w[v][b] * f.w[v][b]) +
+/// As `corner_side`.
+Dual side(const EdgeForms& f, const Corners& kinds, int v, int a, int b) {
+  if (kinds[v] != 0)
+    return (constant(kinds[v]) * f.w[a][b] + f.w[v][a] * f.w[v][b]) / (f.s[v][a] * f.s[v][b]);
+  return constant(kinds[a]) / (f.w[v][a] * f.w[v][a]) + constant(kinds[b]) / (f.w[v][b] * f.w[v][b]) +
          constant(2) * f.w[a][b] / (f.w[v][a] * f.w[v][b]);
 }
 
-/// The cosine of the angle between sides p and q of a triangle with the third side r.
-Dual cosine(const Dual& p, const Dual& q, const Dual& r, bool hyperbolic) {
+/// Whether that belongs to a side, of a length between 0 and pi if v is finite.
+bool is_side(const Interval& known, int kind) {
+  if (kind < 0) return less(abs(known), Interval(1));
+  return less(Interval(kind), known);
+}
+
+/// The cosine of the angle between sides p and q of a triangle with the third side r, as known at v.
+Dual cosine(const Dual& p, const Dual& q, const Dual& r, int kind) {
   const Dual one = constant(1);
-  if (hyperbolic) return (p * q - r) / (sqrt(p * p - one) * sqrt(q * q - one));
+  if (kind > 0) return (p * q - r) / (sqrt(p * p - one) * sqrt(q * q - one));
+  if (kind < 0) return (r - p * q) / (sqrt(one - p * p) * sqrt(one - q * q));
   return (p + q - r) / (constant(2) * sqrt(p * q));
 }
 
 /// The angles of the triangle at v, at its corners on the edges to the other three vertices; nothing unless
 /// it is a triangle for all lengths.
-std::optional<std::array<Dual, 3>> triangle(const EdgeForms& forms, const Corners& hyperideal, int v,
+std::optional<std::array<Dual, 3>> triangle(const EdgeForms& forms, const Corners& kinds, int v,
                                             const std::array<int, 3>& others) {
   std::array<Dual, 3> opposite; // of the corner towards others[k]
   for (int k = 0; k < 3; ++k) {
-    opposite[k] = side(forms, hyperideal, v, others[(k + 1) % 3], others[(k + 2) % 3]);
-    if (!less(Interval(hyperideal[v] ? 1 : 0), opposite[k].value)) return std::nullopt;
+    opposite[k] = side(forms, kinds, v, others[(k + 1) % 3], others[(k + 2) % 3]);
+    if (!is_side(opposite[k].value, kinds[v])) return std::nullopt;
   }
   std::array<Dual, 3> angles;
   for (int k = 0; k < 3; ++k) {
-    const Dual c = cosine(opposite[(k + 1) % 3], opposite[(k + 2) % 3], opposite[k], hyperideal[v]);
+    const Dual c = cosine(opposite[(k + 1) % 3], opposite[(k + 2) % 3], opposite[k], kinds[v]);
     if (!less(abs(c.value), Interval(1))) return std::nullopt;
     angles[k] = acos(c);
   }
@@ -75,18 +83,41 @@ std::optional<std::array<Dual, 3>> triangle(const EdgeForms& forms, const Corner
 
 } // namespace
 
+Corners kinds_at(const Classes& classes, int tet) {
+  Corners kinds{};
+  for (int v = 0; v < 4; ++v) {
+    const int euler = classes.link[classes.vertex[tet][v]];
+    kinds[v] = euler > 0 ? -1 : euler < 0 ? 1 : 0;
+  }
+  return kinds;
+}
+
+Interval corner_side(const std::array<Interval, 6>& lengths, const Corners& kinds, int v, int a, int b) {
+  return side(edge_forms(lengths, kinds), kinds, v, a, b).value;
+}
+
+std::array<std::array<Interval, 4>, 4> products(const std::array<Interval, 6>& lengths,
+                                                const Corners& kinds) {
+  const EdgeForms forms = edge_forms(lengths, kinds);
+  std::array<std::array<Interval, 4>, 4> g;
+  for (int i = 0; i < 4; ++i)
+    for (int j = 0; j < 4; ++j) g[i][j] = i == j ? Interval(kinds[i]) : -forms.w[i][j].value;
+  return g;
+}
+
 std::optional<std::array<Dual, 6>> dihedral_angles(const std::array<Interval, 6>& lengths,
-                                                   const Corners& hyperideal) {
-  const EdgeForms forms = edge_forms(lengths, hyperideal);
+                                                   const Corners& kinds) {
+  const EdgeForms forms = edge_forms(lengths, kinds);
   for (const auto& [a, b] : ends_of_edge)
-    if (!less(Interval(0), forms.s[a][b].value)) return std::nullopt;
+    if (!less(Interval(0), forms.s[a][b].value) || !less(Interval(0), forms.w[a][b].value))
+      return std::nullopt;
   std::array<Dual, 6> angles;
   for (int v = 0; v < 4; ++v) {
     std::array<int, 3> others{};
     std::size_t count = 0;
     for (int w = 0; w < 4; ++w)
       if (w != v) others[count++] = w;
-    const auto corner = triangle(forms, hyperideal, v, others);
+    const auto corner = triangle(forms, kinds, v, others);
     if (!corner) return std::nullopt;
     for (std::size_t e = 0; e < 6; ++e)
       for (std::size_t k = 0; k < 3; ++k)
@@ -202,7 +233,7 @@ Interval ideal_volume(const Clausen& cl, const std::array<Interval, 6>& angles) 
 
 } // namespace
 
-Interval volume(const std::array<Interval, 6>& angles, const Corners& hyperideal, const StillWanted& ask) {
+Interval volume(const std::array<Interval, 6>& angles, const Corners& kinds, const StillWanted& ask) {
   static thread_local mpfr_prec_t bits = 0;
   static thread_local std::optional<Clausen> clausen;
   if (bits != Interval::bits || !clausen) {
@@ -210,7 +241,7 @@ Interval volume(const std::array<Interval, 6>& angles, const Corners& hyperideal
     bits = Interval::bits;
     clausen.emplace(ask);
   }
-  if (hyperideal == Corners{}) return ideal_volume(*clausen, angles);
+  if (kinds == Corners{}) return ideal_volume(*clausen, angles);
   const auto& [a, b, c, f, e, d] = angles;
   Interval re;
   Interval im;

@@ -44,6 +44,25 @@ Json claims(const Skeleton& skeleton, const StructureProof& proof) {
   return {{"orientable", skeleton.is_orientable()}, {"links", links}, {"volume", {volume.low, volume.high}}};
 }
 
+/// The faces, one entry for both sides.
+Json faces(const Triangulation& tri, const CellClaims& cells) {
+  Json list = Json::array();
+  for (int t = 0; t < tri.size(); ++t)
+    for (int f = 0; f < 4; ++f) {
+      const Gluing g = tri.gluing({t, f});
+      if (TetFace{g.tet, g.perm[f]} < TetFace{t, f}) continue;
+      const std::string& flat = cells.flat[t][f];
+      list.push_back({{"tetrahedron", t}, {"face", f}, {"flat", flat.empty() ? Json() : Json(flat)}});
+    }
+  return list;
+}
+
+bool has_cusps(const Skeleton& skeleton) {
+  for (const VertexId v : all<VertexId>(skeleton.vertex_count()))
+    if (skeleton.link(v).euler == 0) return true;
+  return false;
+}
+
 /// A list with one item a line.
 std::string lines(const Json& list) {
   std::string text = "[";
@@ -53,13 +72,18 @@ std::string lines(const Json& list) {
 
 } // namespace
 
-std::string certificate(const Triangulation& tri, const Skeleton& skeleton, const StructureProof& proof) {
+std::string certificate(const Triangulation& tri, const Skeleton& skeleton, const StructureProof& proof,
+                        const std::optional<CellClaims>& cells) {
   skeleton.require_current(tri);
+  const std::string about_cells = cells ? ",\n  \"cells\": {\"cusp_area\":" +
+                                              (has_cusps(skeleton) ? Json(cells->cusp_area) : Json()).dump() +
+                                              ",\"faces\": " + lines(faces(tri, *cells)) + "}"
+                                        : "";
   return "{\n  \"format\": \"tetrarch-certificate\",\n  \"version\": 1,\n  \"gluings\": " +
          lines(gluings(tri)) + ",\n  \"bits\": " + std::to_string(proof.bits) +
          ",\n  \"radius\": " + Json(numeric::hexadecimal(proof.radius)).dump() +
          ",\n  \"edges\": " + lines(edges(skeleton, proof)) +
-         ",\n  \"claims\": " + claims(skeleton, proof).dump() + "\n}\n";
+         ",\n  \"claims\": " + claims(skeleton, proof).dump() + about_cells + "\n}\n";
 }
 
 } // namespace tetrarch::verified

@@ -32,20 +32,52 @@ void add(std::vector<typename SparseRows<Scalar>::Entry>& row, int column, const
     row.insert(at, {column, value});
 }
 
+using hyperbolic::VertexType;
+
+int freedom_of(VertexType type) {
+  return type == VertexType::finite ? 3 : type == VertexType::ideal ? 1 : 0;
+}
+
+int freedom_of(const Table<VertexId, VertexType>& types) {
+  int sum = 0;
+  for (const VertexType type : types) sum += freedom_of(type);
+  return sum;
+}
+
+/// The distance of a finite vertex from a truncating plane is signed; it is to be positive.
+template <class Scalar>
+bool is_inside(const hyperbolic::SixNumbers<Scalar>& lengths, const hyperbolic::VertexTypes& types) {
+  for (int e = 0; e < 6; ++e) {
+    const auto [i, j] = edge_vertex[e];
+    if (norm(types[i]) * norm(types[j]) < 0 && !(lengths[e] > 0)) return false;
+  }
+  return true;
+}
+
 } // namespace
 
 EdgeSystem::EdgeSystem(const Skeleton& skeleton)
-    : skeleton_(skeleton), types_(hyperbolic::vertex_types(skeleton)), place_(skeleton.edge_count(), 0) {
+    : skeleton_(skeleton), types_(hyperbolic::vertex_types(skeleton)), freedom_(freedom_of(types_)),
+      place_(skeleton.edge_count(), 0) {
   choose_fixed();
+  number_unknowns();
+}
+
+EdgeSystem::EdgeSystem(const Skeleton& skeleton, std::vector<EdgeId> fixed)
+    : skeleton_(skeleton), types_(hyperbolic::vertex_types(skeleton)), freedom_(freedom_of(types_)),
+      fixed_(std::move(fixed)), place_(skeleton.edge_count(), 0) {
+  number_unknowns();
+}
+
+void EdgeSystem::number_unknowns() {
   for (const EdgeId e : fixed_) place_[e] = -1;
   for (int& place : place_)
     if (place == 0) place = unknowns_++;
 }
 
 EdgeSystem::EdgeSystem(const Skeleton& skeleton, const Table<EdgeId, int>& block)
-    : skeleton_(skeleton), types_(hyperbolic::vertex_types(skeleton)), place_(block) {
-  choose_fixed();
-  fixed_.clear();
+    : skeleton_(skeleton), types_(hyperbolic::vertex_types(skeleton)), freedom_(freedom_of(types_)),
+      place_(block) {
   for (const int place : place_) unknowns_ = std::max(unknowns_, place + 1);
 }
 
@@ -53,22 +85,23 @@ EdgeSystem::EdgeSystem(const Skeleton& skeleton, const Table<EdgeId, int>& block
 /// independent of those taken before.
 void EdgeSystem::choose_fixed() {
   std::vector<int> number(static_cast<std::size_t>(skeleton_.vertex_count()), -1);
+  int cusps = 0;
   for (const VertexId v : all<VertexId>(skeleton_.vertex_count()))
-    if (types_[v] == hyperbolic::VertexType::ideal) number[v.value] = cusps_++;
+    if (types_[v] == VertexType::ideal) number[v.value] = cusps++;
   std::vector<std::pair<int, std::vector<std::int64_t>>> taken; // leading place, and the column with 1 there
   for (const EdgeId e : all<EdgeId>(skeleton_.edge_count())) {
-    if (static_cast<int>(taken.size()) == cusps_) return;
-    std::vector<std::int64_t> column(static_cast<std::size_t>(cusps_), 0);
+    if (static_cast<int>(taken.size()) == cusps) return;
+    std::vector<std::int64_t> column(static_cast<std::size_t>(cusps), 0);
     const auto [a, b] = skeleton_.ends(e);
     for (const VertexId v : {a, b})
       if (number[v.value] >= 0) ++column[number[v.value]];
     for (const auto& [lead, other] : taken) {
       const std::int64_t times = column[lead];
-      for (int c = 0; c < cusps_; ++c) column[c] = (column[c] + (prime - times) * other[c]) % prime;
+      for (int c = 0; c < cusps; ++c) column[c] = (column[c] + (prime - times) * other[c]) % prime;
     }
     int lead = 0;
-    while (lead < cusps_ && column[lead] == 0) ++lead;
-    if (lead == cusps_) continue;
+    while (lead < cusps && column[lead] == 0) ++lead;
+    if (lead == cusps) continue;
     const std::int64_t scale = inverse(column[lead]);
     for (std::int64_t& entry : column) entry = entry * scale % prime;
     taken.emplace_back(lead, std::move(column));
@@ -81,9 +114,10 @@ std::optional<hyperbolic::Metric<Scalar>>
 EdgeSystem::curvature(const hyperbolic::Metric<Scalar>& lengths) const {
   hyperbolic::Metric<Scalar> k(skeleton_.edge_count(), Scalar(2 * numeric::pi<Scalar>()));
   for (int t = 0; t < skeleton_.tetrahedron_count(); ++t) {
-    const auto angles = hyperbolic::dihedral_angles(hyperbolic::lengths_at(skeleton_, lengths, t),
-                                                    hyperbolic::types_at(skeleton_, types_, t));
-    if (!angles) return std::nullopt;
+    const auto six = hyperbolic::lengths_at(skeleton_, lengths, t);
+    const auto types = hyperbolic::types_at(skeleton_, types_, t);
+    const auto angles = hyperbolic::dihedral_angles(six, types);
+    if (!angles || !is_inside(six, types)) return std::nullopt;
     for (int e = 0; e < 6; ++e) k[skeleton_.edge({t, e})] -= (*angles)[e];
   }
   return k;

@@ -25,11 +25,14 @@ struct SparseRows {
   int size() const { return static_cast<int>(rows.size()); }
 };
 
-/// A closed gluing without finite vertices. Each unknown is the length of one edge, or of several that are to
-/// be equal; its equation is the sum of their curvatures.
+/// A closed gluing. Each unknown is the length of one edge, or of several that are to be equal; its equation
+/// is the sum of their curvatures.
 class EdgeSystem {
 public:
+  /// Chooses what is fixed by the ends in cusps; without finite vertices.
   explicit EdgeSystem(const Skeleton& skeleton);
+  /// With these lengths fixed, in increasing order (gauge.hpp).
+  EdgeSystem(const Skeleton& skeleton, std::vector<EdgeId> fixed);
   /// One unknown for each block of edges: those of equal number, from 0 on. No length is fixed.
   EdgeSystem(const Skeleton& skeleton, const Table<EdgeId, int>& block);
 
@@ -37,11 +40,13 @@ public:
   int unknowns() const { return unknowns_; }
   /// The unknown that is the length of this edge; -1 where it is fixed.
   int unknown(EdgeId e) const { return place_[e]; }
-  bool has_cusps() const { return cusps_ > 0; }
-  /// The cusps' identities are independent; it has never been otherwise.
-  bool is_square() const { return static_cast<int>(fixed_.size()) == cusps_; }
+  /// Horospheres, or finite vertices, may move.
+  bool is_free() const { return freedom_ > 0; }
+  /// The identities are independent; of cusps it has never been otherwise.
+  bool is_square() const { return static_cast<int>(fixed_.size()) == freedom_; }
 
-  /// K of every edge; nothing unless every tetrahedron exists at all of these lengths.
+  /// K of every edge; nothing unless every tetrahedron exists at all of these lengths, its finite vertices
+  /// inside of what truncates the others.
   template <class Scalar>
   std::optional<hyperbolic::Metric<Scalar>> curvature(const hyperbolic::Metric<Scalar>& lengths) const;
   /// The left sides: curvatures of the edges that are not fixed, those of one unknown added up.
@@ -56,10 +61,11 @@ public:
 
 private:
   void choose_fixed();
+  void number_unknowns();
 
   const Skeleton& skeleton_;
   Table<VertexId, hyperbolic::VertexType> types_;
-  int cusps_ = 0;
+  int freedom_ = 0; ///< dimensions: one for each cusp, three for each finite vertex
   std::vector<EdgeId> fixed_;
   int unknowns_ = 0;
   Table<EdgeId, int> place_;

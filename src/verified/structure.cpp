@@ -2,6 +2,7 @@
 #include "tetrarch/verified/structure.hpp"
 
 #include "edge_system.hpp"
+#include "gauge.hpp"
 #include "tetrarch/core/error.hpp"
 
 #include <Eigen/LU>
@@ -64,8 +65,10 @@ Ball exactly(const Ball& bound) {
 /// One attempt, in the working precision of the scope.
 class Attempt {
 public:
-  Attempt(const EdgeSystem& system, const hyperbolic::Metric<double>& start, const Progress& progress)
-      : system_(system), progress_(progress), middle_(start.size(), Ball(0)) {
+  /// `points`: what proves the equations that finite vertices drop; null without such vertices.
+  Attempt(const EdgeSystem& system, const Gauge* points, const hyperbolic::Metric<double>& start,
+          const Progress& progress)
+      : system_(system), points_(points), progress_(progress), middle_(start.size(), Ball(0)) {
     for (const EdgeId e : all<EdgeId>(start.size())) middle_[e] = start[e];
   }
 
@@ -131,10 +134,12 @@ private:
     return lengths;
   }
 
-  /// Krawczyk's test. That the tetrahedra exist on the box is tested with it.
+  /// Krawczyk's test. That the tetrahedra exist on the box is tested with it, and that at its zero no
+  /// curvature is left.
   bool maps_into_itself(const Matrix& y, const std::vector<Ball>& step, const Ball& radius) {
     const Lengths lengths = box(radius);
-    if (!system_.curvature(lengths)) return false;
+    const auto curvature = system_.curvature(lengths);
+    if (!curvature) return false;
     const SparseRows<Ball> h = system_.hessian(lengths);
     total_slope_ = 0;
     for (const auto& row : h.rows)
@@ -143,7 +148,7 @@ private:
       progress_.step("certifying");
       if (!(abs(step[i]) + defect(y, h, i) * radius < radius)) return false;
     }
-    return true;
+    return points_ == nullptr || points_->dropped_vanish(system_.fixed(), lengths, *curvature);
   }
 
   /// The sum of the absolute values in a row of 1 - Y H.
@@ -178,6 +183,7 @@ private:
   }
 
   const EdgeSystem& system_;
+  const Gauge* points_;
   const Progress& progress_;
   Lengths middle_;
   Ball total_slope_ = 0;
@@ -208,8 +214,11 @@ Certification certify(const Triangulation& tri, const Skeleton& skeleton,
                       const hyperbolic::Hyperbolization<double>& found, const CertifyOptions& options,
                       const Progress& progress) {
   require_found(tri, skeleton, found);
-  const EdgeSystem system(skeleton);
-  if (!system.is_square()) return {std::nullopt, "the identities of the cusps depend on each other"};
+  const Gauge gauge(tri, skeleton);
+  const EdgeSystem system =
+      gauge.has_points() ? EdgeSystem(skeleton, gauge.choose(found.lengths)) : EdgeSystem(skeleton);
+  if (!system.is_square())
+    return {std::nullopt, "the identities of the cusps and finite vertices depend on each other"};
   if (system.unknowns() > options.most_unknowns)
     return {std::nullopt, "it has " + std::to_string(system.unknowns()) + " unknown lengths, and at most " +
                               std::to_string(options.most_unknowns) + " are certified"};
@@ -218,7 +227,8 @@ Certification certify(const Triangulation& tri, const Skeleton& skeleton,
   Certification last;
   for (int bits = options.bits; bits <= std::max(options.bits, options.most_bits); bits *= 2) {
     const numeric::WorkingPrecision precision(bits);
-    last = Attempt(system, found.lengths, progress).run(*y, options.volume);
+    last = Attempt(system, gauge.has_points() ? &gauge : nullptr, found.lengths, progress)
+               .run(*y, options.volume);
     if (last.proof) break;
   }
   return last;
@@ -229,7 +239,7 @@ std::optional<hyperbolic::Metric<Ball>> solve_merged(const Skeleton& skeleton,
                                                      const hyperbolic::Metric<double>& start, double reach,
                                                      const Progress& progress) {
   const EdgeSystem system(skeleton, block);
-  if (system.has_cusps() || system.unknowns() > CertifyOptions{}.most_unknowns) return std::nullopt;
+  if (system.is_free() || system.unknowns() > CertifyOptions{}.most_unknowns) return std::nullopt;
   std::vector<double> sum(static_cast<std::size_t>(system.unknowns()), 0);
   std::vector<int> count(sum.size(), 0);
   for (const EdgeId e : all<EdgeId>(start.size())) {
@@ -240,7 +250,7 @@ std::optional<hyperbolic::Metric<Ball>> solve_merged(const Skeleton& skeleton,
   for (const EdgeId e : all<EdgeId>(start.size())) even[e] = sum[block[e]] / count[block[e]];
   const auto y = approximate_inverse(system, even);
   if (!y) return std::nullopt;
-  return Attempt(system, even, progress).run_alone(*y, reach);
+  return Attempt(system, nullptr, even, progress).run_alone(*y, reach);
 }
 
 Certification certify_to(int digits, const Triangulation& tri, const Skeleton& skeleton,

@@ -13,6 +13,7 @@
 #include "tetrarch/core/signature.hpp"
 #include "tetrarch/format/document.hpp"
 #include "tetrarch/numeric/union_find.hpp"
+#include "tetrarch/verified/certificate.hpp"
 #include "tetrarch/verified/structure.hpp"
 #include "tetrarch/workshop/reason.hpp"
 #include "tetrarch/workshop/structure.hpp"
@@ -106,6 +107,29 @@ format::CanonicalCells cells_of(const Canonical& c) {
     result.cell_of[t] = first == t ? cells++ : result.cell_of[first];
   }
   return result;
+}
+
+/// As short as the definition in decorated.hpp.
+constexpr const char* cusp_area = "0.05";
+
+/// Certifies the structure once more, now with its volume, and says which faces are flat and why. Empty where
+/// something is not proved.
+std::string certificate_of(const Canonical& c, const Progress& progress) {
+  if (!c.proof.certified) return {};
+  const Skeleton skeleton(c.triangulation);
+  const auto structure = hyperbolic::hyperbolize(c.triangulation, skeleton, {}, progress);
+  if (structure.outcome != Outcome::geometric) return {};
+  const auto certified =
+      verified::certify(c.triangulation, skeleton, structure, {c.proof.bits, c.proof.bits}, progress);
+  if (!certified.proof) return {};
+  verified::CellClaims claims{cusp_area, {}};
+  const std::vector<int> cell_of = cells_of(c).cell_of;
+  for (int t = 0; t < c.triangulation.size(); ++t) {
+    claims.flat.emplace_back();
+    for (int f = 0; f < 4; ++f)
+      if (c.flat[t][f]) claims.flat.back()[f] = to_string(c.proof.criteria[cell_of[t]]);
+  }
+  return verified::certificate(c.triangulation, skeleton, *certified.proof, claims);
 }
 
 bool is_found(const Cells& c) {
@@ -281,7 +305,10 @@ Cells cells(const Triangulation& tri, const CanonicalOptions& options, const Pro
   if (found.outcome != Outcome::geometric)
     found.why = way.why ? way.why : proved_no(way.search.triangulation, options.seed, progress);
   found.filled_spheres = boundary.spheres;
-  if (is_found(found)) name_isometries(found, options.list_isometries);
+  if (is_found(found)) {
+    name_isometries(found, options.list_isometries);
+    if (options.certify) found.certificate = certificate_of(*found.canonical, progress);
+  }
   return found;
 }
 
@@ -312,6 +339,8 @@ Rows rows_of(const Cells& found) {
             {"tetrahedra", std::to_string(c.triangulation.size())},
             {"smallest tilt", scientific(c.smallest_tilt, 3)},
             {"volume", fixed(found.volume, 12)}};
+  if (!found.certificate.empty())
+    rows.insert(rows.begin() + 3, {"certificate", "sha256 " + verified::digest(found.certificate)});
   if (!c.marks.empty())
     rows.emplace_back("marks", orders_text(c.marks) + "; cells and volume are those of parabolic meridians");
   if (found.filled_spheres > 0) rows.emplace_back("filled spheres", filled_text(found.filled_spheres));
@@ -441,10 +470,13 @@ const FieldList<Cells>& fields_of<Cells>() {
        [](C c) -> Tree { return c.canonical->proof.why_not; },
        is_not_proved},
       {{"criteria", "",
-        "what proves each cell: tetrahedron, or how it is proved flat (R: orbits, F: one line, B: blocks, E: "
-        "exact algebra)"},
+        "what proves each cell: tetrahedron, or how it is proved flat (R: orbits, F: one line, B: blocks, L: "
+        "linear relations, E: exact algebra)"},
        [](C c) { return criteria_of(c.canonical->proof); },
        is_proved},
+      {{"certificate", "", "SHA-256 of the file that proves structure and cells"},
+       [](C c) -> Tree { return verified::digest(c.certificate); },
+       [](C c) { return !c.certificate.empty(); }},
       {{"tetrahedra", "", "number of tetrahedra of the subdivided cells"},
        [](C c) -> Tree { return c.canonical->triangulation.size(); },
        is_found},

@@ -299,10 +299,14 @@ Structure structure(const Triangulation& tri, const StructureOptions& options, c
     if (certifies) found.certified = verified::Certification{std::nullopt, "no structure was found"};
     return found;
   }
-  if (found.orbifold) {
+  if (has_marks(found)) {
     if (certifies)
-      found.certified = verified::Certification{
-          std::nullopt, "structures with marked edges or finite vertices are not certified yet"};
+      found.certified =
+          verified::Certification{std::nullopt, "structures with marked edges are not certified yet"};
+    return found;
+  }
+  if (found.orbifold) {
+    if (certifies) certify(found, progress);
     return found;
   }
   found.cusps = hyperbolic::cusps(found.search.triangulation, found.skeleton, found.search.structure.lengths);

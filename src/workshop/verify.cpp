@@ -21,23 +21,44 @@ std::string links_text(const Report& r) {
   return joined(links, ", ");
 }
 
+std::string cells_text(const Report& r) {
+  std::string text = counted(r.walls, "wall") + " proved to be strictly convex";
+  if (!r.cusp_area.empty()) text += ", with cusps of area " + r.cusp_area;
+  if (r.unchecked.empty()) return text + ": the tetrahedra are the canonical cells";
+  for (const auto& [criterion, faces] : r.unchecked)
+    text += "; not checked: " + counted(faces, "face") + " inside cells, said to be flat by " + criterion;
+  return text;
+}
+
+bool has_accepted_cells(const Report& r) {
+  return r.accepted && r.has_cells;
+}
+
+Tree unchecked(const Report& r) {
+  Tree tree = Tree::object();
+  for (const auto& [criterion, faces] : r.unchecked) tree[criterion] = faces;
+  return tree;
+}
+
 } // namespace
 
 Rows rows_of(const Report& r) {
   if (!r.accepted) return {{"refused", r.why_not}};
-  return {{"accepted", "a hyperbolic structure exists, and only one near the lengths given"},
-          {"tetrahedra", std::to_string(r.tetrahedra)},
-          {"edges", std::to_string(r.edges)},
-          {"orientable", r.orientable ? "yes" : "no"},
-          {"links", "Euler characteristic " + links_text(r)},
-          {"volume in", "[" + r.volume[0] + ", " + r.volume[1] + "]"}};
+  Rows rows{{"accepted", "a hyperbolic structure exists, and only one near the lengths given"},
+            {"tetrahedra", std::to_string(r.tetrahedra)},
+            {"edges", std::to_string(r.edges)},
+            {"orientable", r.orientable ? "yes" : "no"},
+            {"links", "Euler characteristic " + links_text(r)},
+            {"volume in", "[" + r.volume[0] + ", " + r.volume[1] + "]"}};
+  if (r.has_cells) rows.emplace_back("cells", cells_text(r));
+  return rows;
 }
 
 template <>
 const FieldList<Report>& fields_of<Report>() {
   using R = const Report&;
   static const FieldList<Report> fields{
-      {{"accepted", "", "whether the certificate proves what it claims"},
+      {{"accepted", "", "whether the certificate proves what it claims, but for what `unchecked` lists"},
        [](R r) -> Tree { return r.accepted; }},
       {{"reason", "", "the first thing that is not proved"},
        [](R r) -> Tree { return r.why_not; },
@@ -56,6 +77,19 @@ const FieldList<Report>& fields_of<Report>() {
          return {r.volume[0], r.volume[1]};
        },
        is_accepted},
+      {{"walls", "", "of canonical cells: number of faces between two, each proved to be strictly convex"},
+       [](R r) -> Tree { return r.walls; },
+       has_accepted_cells},
+      {{"unchecked", "",
+        "of canonical cells: by criterion, the number of faces inside them that are said to be flat, which "
+        "is "
+        "not checked; empty: the cells are proved"},
+       unchecked,
+       has_accepted_cells},
+      {{"cusp_area", "",
+        "of canonical cells: the area of each cusp's cross-section, as a text; null: no cusps"},
+       [](R r) { return r.cusp_area.empty() ? Tree() : Tree(r.cusp_area); },
+       has_accepted_cells},
       {{"bits", "", "binary digits that the proof was found with; the check takes 128 more"},
        [](R r) -> Tree { return r.bits; }}};
   return fields;

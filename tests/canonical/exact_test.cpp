@@ -137,6 +137,28 @@ TEST_CASE("tetrahedra folded onto each other make no structure", "[canonical]") 
   CHECK_FALSE(is_proved(tri, folded));
 }
 
+TEST_CASE("a far vertex has its norm, and lies on the other side", "[canonical]") {
+  // Four vectors of norm 1 with products -2; the fourth reflected in the others' span. By hand: its
+  // projection there is 2/3 of their sum, of norm -4, so that 4/3, 4/3, 4/3, -1 are the coordinates, and -9
+  // the product with the fourth.
+  Gram<Algebraic> near;
+  for (int i = 0; i < 4; ++i)
+    for (int j = 0; j < 4; ++j) near[i][j] = Algebraic(i == j ? 1 : -2);
+  for (int face = 0; face < 4; ++face) {
+    CAPTURE(face);
+    std::array<Algebraic, 4> products{Algebraic(-2), Algebraic(-2), Algebraic(-2), Algebraic(-2)};
+    products[face] = Algebraic(-9);
+    const auto a = far_vertex(near, products, Algebraic(1), face);
+    REQUIRE(a);
+    for (int k = 0; k < 4; ++k) CHECK((*a)[k] * Algebraic(3) == Algebraic(k == face ? -3 : 4));
+    CHECK_FALSE(far_vertex(near, products, Algebraic(0), face)); // another norm
+    products[face] = Algebraic(-8);                              // on the other side, but of norm -4 + 16/5
+    CHECK_FALSE(far_vertex(near, products, Algebraic(1), face));
+    products[face] = Algebraic(1); // the fourth itself
+    CHECK_FALSE(far_vertex(near, products, Algebraic(1), face));
+  }
+}
+
 TEST_CASE("cusps must have one area", "[canonical]") {
   // The Whitehead link, all of whose tetrahedra are alike, and m202, whose are not. Vectors of one cusp
   // doubled tell the same structure with another cross-section.

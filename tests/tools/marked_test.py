@@ -93,6 +93,12 @@ class MarkedEdges(InFolder):
         self.assertEqual((status, found["outcome"], found["reason"]), (1, "not hyperbolic", "bad_vertex"))
         status, found = run_json("hyperbolize", path, "--parabolic", "all", "--certify")
         self.assertEqual((status, found["certified"]), (4, False))
+        # Cells with marks are not proved, and no certificate says that they are.
+        out = self.path("cells.cert.json")
+        done = run("canonize", self.path("graph.orb", GRAPH), "-o", out)
+        self.assertEqual(done.returncode, 4)
+        self.assertIn("cells.cert.json was not written: the cells are not proved", done.stderr)
+        self.assertFalse(os.path.exists(out))
 
     def test_tetrahedra_turned_over_are_no_structure(self):
         path = self.path("flat.orb", FLAT)
@@ -115,6 +121,15 @@ class ClosedManifolds(InFolder):
             self.assertAlmostEqual(found["volume"], volume, delta=1e-11)
             self.assertEqual([v["type"] for v in found["vertices"]], ["finite"])
             self.assertNotIn("cusps", found)
+
+    def test_they_are_certified(self):
+        path = self.path("weeks.cert.json")
+        status, found = run_json("hyperbolize", "jLvMLQQbfefgihhiixiptvvvgof", "--digits", "40", "-o", path)
+        self.assertEqual((status, found["certified"]), (0, True))
+        # 3 * 23^(3/2) zeta_K(2) / (4 pi^4), by mpmath: see tests/verified/closed_test.cpp.
+        self.assertEqual(found["volume_digits"], "0.9427073627769277209212996030922116475903")
+        status, report = run_json("verify", path)
+        self.assertEqual((status, report["accepted"], report["links"]), (0, True, [2]))
 
     def test_others_have_none(self):
         for name in ("cMcabbgqw", "cMcabbjak"):  # RP^3 and L(3,1)

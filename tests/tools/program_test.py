@@ -198,6 +198,27 @@ class Proofs(InFolder):
         self.assertEqual(run("verify", self.path("no.cert.json")).returncode, 2)
         self.assertEqual(run("verify", f"{SOURCE}/tests/data/knotted_y.json").returncode, 2)
 
+    def test_cells_are_certified_and_verified(self):
+        path = self.path("cells.cert.json")
+        status, found = run_json("canonize", "m004", "-o", path)
+        self.assertEqual((status, found["certified"]), (0, True))
+        with open(path, "rb") as file:
+            self.assertEqual(found["certificate"], hashlib.sha256(file.read()).hexdigest())
+        status, report = run_json("verify", path)
+        # Two tetrahedra have four faces between them.
+        self.assertEqual((status, report["walls"], report["unchecked"], report["cusp_area"]), (0, 4, {}, "0.05"))
+        # An octahedron: what symmetry proves flat is not checked, and that is said.
+        self.assertEqual(run("canonize", "eLAkbccddemoen", "-o", path).returncode, 0)
+        status, report = run_json("verify", path)
+        self.assertEqual((status, report["walls"], report["unchecked"]), (0, 4, {"R": 4}))
+        self.assertIn("not checked: 4 faces", run("verify", path).stdout)
+        with open(path) as file:
+            text = file.read()
+        wrong = self.path("wrong.cert.json", text.replace('"flat":"R"', '"flat":null'))
+        status, report = run_json("verify", wrong)
+        self.assertEqual(status, 1)
+        self.assertIn("is not proved to be convex", report["reason"])
+
     def test_what_has_no_structure_is_not_certified(self):
         path = self.path("none.cert.json")
         status, found = run_json("hyperbolize", "dLQacccjcog", "--as-given", "--certify", "-o", path)

@@ -20,6 +20,8 @@ struct CanonizeArguments {
   std::string input;
   std::string output;
   workshop::CanonicalOptions how;
+
+  bool writes_certificate() const { return output.ends_with(".cert.json"); }
 };
 
 Result canonize(const CanonizeArguments& options, const Context& context) {
@@ -32,6 +34,7 @@ Result canonize(const CanonizeArguments& options, const Context& context) {
   require_manifold(document.triangulation, input);
   workshop::require_filled(document, input);
   how.marks = document.marks;
+  how.certify = options.writes_certificate();
   const workshop::Cells found = workshop::cells(document.triangulation, how, context.progress);
   Result result;
   result.warnings = document.warnings;
@@ -42,7 +45,12 @@ Result canonize(const CanonizeArguments& options, const Context& context) {
   if (!found.canonical->proof.certified)
     result.warnings.push_back("the cells are not proved: " + found.canonical->proof.why_not);
   format::Document cells = document_of(found);
-  if (!output.empty()) result.files.push_back({output, write_json(cells)});
+  if (how.certify && found.certificate.empty()) {
+    result.status = status_of(workshop::Verdict::undecided);
+    result.warnings.push_back(output + " was not written: the cells are not proved");
+  } else if (!output.empty()) {
+    result.files.push_back({output, how.certify ? found.certificate : write_json(cells)});
+  }
   result.value = std::make_shared<Value>(std::move(cells));
   return result;
 }
@@ -99,7 +107,10 @@ Result isometric(const IsometricOptions& options, const Context& context) {
 Run declare_canonize(OptionTable& table) {
   const auto options = std::make_shared<CanonizeArguments>();
   table.add("X", options->input, "a triangulation that carries a hyperbolic structure").required();
-  table.add("-o,--output", options->output, "write the canonical triangulation with its cells as JSON")
+  table
+      .add("-o,--output", options->output,
+           "write the canonical triangulation with its cells as JSON; to a name that ends in .cert.json, the "
+           "certificate")
       .output_file();
   table.add("--isometries", options->how.list_isometries, "list all isometries (in JSON)");
   table.add("--attempts", options->how.attempts, "greatest number of triangulations to try")

@@ -15,8 +15,9 @@ enum class Criterion {
   one_line,    ///< F
   blocks,      ///< B
   exact,       ///< E
+  relations,   ///< L
 };
-/// "tetrahedron", "R", "F", "B", "E".
+/// "tetrahedron", "R", "F", "B", "E", "L".
 const char* to_string(Criterion criterion);
 
 /// Whether cells were proved, and how.
@@ -25,6 +26,7 @@ struct CellsProof {
   std::string why_not;             ///< what is in doubt; empty if nothing is
   std::vector<Criterion> criteria; ///< of each cell, by its first tetrahedron; of those proved
   std::string field;               ///< of E, the polynomial whose root gives all inner products; else empty
+  int bits = 0;                    ///< of the certified lengths that it rests on
   double least_tilt = 0; ///< of the faces between cells, which is certainly positive; its nearest double
 };
 

@@ -28,6 +28,12 @@
 ///      their curvatures are equal, and so they vanish: the zero is the structure. Then R or F, with the
 ///      larger group.
 ///
+///   L  G is a matrix of symbols: a class of edges, or an orbit of diagonals, is one. If u is an eigenvector
+///      whatever the symbols are (v_A + v_B - v_C - v_D, say), its eigenvalue may be 0; and if G has rank 4
+///      on the complement of u, it is 0, for 4 is the rank of G. That is a linear relation of the symbols. If
+///      there are enough such u, they are the kernel. Or some rational w makes all entries of G w equal, up
+///      to such relations, and not 0: then 1 is G w over that number.
+///
 ///   E  The inner products are algebraic numbers. Guess a field and the numbers in it, and prove the guess:
 ///      tetrahedra with these products exist, across each face the far vertex has the right norm and lies on
 ///      the other side, laid out around an edge they come back exactly, with an angle near 2 pi, and all

@@ -14,7 +14,12 @@
 /// At a cusp the horosphere is free, and the curvatures of the edges, each counted once for each end in the
 /// cusp, add up to 0 exactly. So for each cusp one length is fixed and one equation dropped: edges e_1 ...
 /// e_c such that the matrix (ends of e_j at cusp i) is invertible. Then the dropped equations follow from the
-/// others. Sources: Krawczyk 1969; Moore-Kearfott-Cloud 2009, section 8.2; HIKMOT (2016) for cusps.
+/// others.
+///
+/// A finite vertex (of a closed manifold) may be any point: three lengths are fixed for each, and three
+/// equations dropped. They follow because the link is a sphere: once around all of its cone points is no turn
+/// at all. That is not linear in K, but nearly so, and balls bound the rest (src/verified/gauge.hpp has the
+/// proof). Sources: Krawczyk 1969; Moore-Kearfott-Cloud 2009, section 8.2; HIKMOT (2016) for cusps.
 
 #include "tetrarch/core/progress.hpp"
 #include "tetrarch/hyperbolic/hyperbolize.hpp"
@@ -30,11 +35,12 @@ namespace tetrarch::verified {
 struct StructureProof {
   int bits = 0; ///< of the midpoints and of the arithmetic
   /// Of each edge the ball that holds its length in the one structure near by: an exact midpoint, and the
-  /// same radius everywhere. Those of `fixed` are exact; they choose the horospheres.
+  /// same radius everywhere. Those of `fixed` are exact; they choose the horospheres and the points.
   hyperbolic::Metric<numeric::Ball> lengths;
-  numeric::Ball radius = 0;  ///< exact
-  std::vector<EdgeId> fixed; ///< one edge for each cusp, in increasing order
-  numeric::Ball volume = 0;  ///< holds the volume
+  numeric::Ball radius = 0; ///< exact
+  /// One edge for each cusp and three for each finite vertex, in increasing order.
+  std::vector<EdgeId> fixed;
+  numeric::Ball volume = 0; ///< holds the volume
 };
 
 /// The ends of an interval that holds the volume, in decimal; rounded outward.
@@ -72,8 +78,8 @@ struct CertifyOptions {
 /// The lengths at which the curvatures of each block of edges add up to 0, where the edges of a block (equal
 /// numbers, from 0 on) have equal lengths: balls for the one such metric whose lengths are all within `reach`
 /// of the balls' midpoints. On all of that box the tetrahedra exist, and no curvature changes by 1. Nothing
-/// where that is not proved, or where there are cusps. Whether the curvatures themselves vanish is another
-/// question. In the working precision; O(E^3).
+/// where that is not proved, or where there are cusps or finite vertices. Whether the curvatures themselves
+/// vanish is another question. In the working precision; O(E^3).
 [[nodiscard]] std::optional<hyperbolic::Metric<numeric::Ball>>
 solve_merged(const Skeleton& skeleton, const Table<EdgeId, int>& block,
              const hyperbolic::Metric<double>& start, double reach, const Progress& progress = {});

@@ -26,6 +26,7 @@ struct CanonicalOptions {
   int attempts = hyperbolic::SearchOptions{}.attempts; ///< greatest number of triangulations to try
   std::uint64_t seed = 1;
   bool list_isometries = false; ///< keep all isometries
+  bool certify = false;         ///< write the certificate of the structure with its cells
   Marks marks{};                ///< of `cells`: the edges with orders, which are edges of cells then
 };
 
@@ -41,6 +42,9 @@ struct Cells {
   std::optional<bool> amphichiral;      ///< an isometry reverses orientation; nothing: there is none
   std::vector<Isomorphism> isometries;  ///< of the canonical triangulation, if they were asked for
   std::optional<reasons::Reason> why{}; ///< the manifold is proved not to be hyperbolic
+  /// The file that proves the structure on the canonical triangulation and its cells; empty unless it was
+  /// asked for, and these are proved.
+  std::string certificate{};
 
   Verdict verdict() const;
 };
