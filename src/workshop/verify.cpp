@@ -37,26 +37,29 @@ template <>
 const FieldList<Report>& fields_of<Report>() {
   using R = const Report&;
   static const FieldList<Report> fields{
-      {{"accepted", "", "whether the certificate proves what it claims"},
+      {{"accepted", "", "whether the certificate proves what it claims", type::truth},
        [](R r) -> Tree { return r.accepted; }},
-      {{"reason", "", "the first thing that is not proved"},
+      {{"reason", "", "the first thing that is not proved", type::text},
        [](R r) -> Tree { return r.why_not; },
        is_refused},
-      {{"tetrahedra", "", "number of tetrahedra"}, [](R r) -> Tree { return r.tetrahedra; }},
-      {{"edges", "", "number of edge classes"}, [](R r) -> Tree { return r.edges; }, is_accepted},
-      {{"cusps", "", "number of cusps"}, [](R r) -> Tree { return r.cusps; }, is_accepted},
-      {{"orientable", "", "whether the manifold is orientable"},
+      {{"tetrahedra", "", "number of tetrahedra", type::integer}, [](R r) -> Tree { return r.tetrahedra; }},
+      {{"edges", "", "number of edge classes", type::integer},
+       [](R r) -> Tree { return r.edges; },
+       is_accepted},
+      {{"cusps", "", "number of cusps", type::integer}, [](R r) -> Tree { return r.cusps; }, is_accepted},
+      {{"orientable", "", "whether the manifold is orientable", type::truth},
        [](R r) -> Tree { return r.orientable; },
        is_accepted},
-      {{"links", "", "Euler characteristics of the vertex links, increasing"},
+      {{"links", "", "Euler characteristics of the vertex links, increasing", type::list(type::integer)},
        [](R r) -> Tree { return r.links; },
        is_accepted},
-      {{"volume_interval", "curvature -1", "two decimal numbers, as texts, between which the volume lies"},
+      {{"volume_interval", "curvature -1", "two decimal numbers, as texts, between which the volume lies",
+        type::list(type::text, 2)},
        [](R r) -> Tree {
          return {r.volume[0], r.volume[1]};
        },
        is_accepted},
-      {{"bits", "", "binary digits that the proof was found with; the check takes 128 more"},
+      {{"bits", "", "binary digits that the proof was found with; the check takes 128 more", type::integer},
        [](R r) -> Tree { return r.bits; }}};
   return fields;
 }

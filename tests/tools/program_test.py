@@ -29,6 +29,7 @@ from inputs_test import *  # noqa: F401,F403: what stands for a triangulation
 from meshes_test import *  # noqa: F401,F403: meshes from elsewhere, and mending them
 from marked_test import *  # noqa: F401,F403: cone angles, parabolic meridians, closed manifolds
 from options_test import *  # noqa: F401,F403: the tests of options that stand nowhere else
+from schema_test import *  # noqa: F401,F403: schemas of what --json prints
 from running import (INSTRUMENTED, PROGRAM, InFolder, SLOWER, SOURCE, medit, run, run_json, seconds_of_children, unused_options,
                      wait_until_it_listens)
 

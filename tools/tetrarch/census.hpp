@@ -7,13 +7,18 @@
 #include "options.hpp"
 
 #include "tetrarch/catalogue/manifold.hpp"
+#include "tetrarch/workshop/fields.hpp"
 
 #include <string>
+#include <vector>
 
 namespace tetrarch::program {
 
 /// An entry as programs read it.
 Json manifold_json(const catalogue::Manifold& m);
+
+/// The members of that.
+std::vector<workshop::FieldNote> fields_of_manifold();
 
 /// A stored volume rounded to twelve decimals.
 std::string shortened(const std::string& volume);

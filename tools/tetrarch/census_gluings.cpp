@@ -75,6 +75,12 @@ Result streamed(const enumeration::GluingOptions& gluings, const std::string& ou
 
 } // namespace
 
+fields::List fields::of_census_gluings() {
+  namespace type = workshop::type;
+  return {{"count", "", "number of gluings", type::integer},
+          {"signatures", "", "all of them; without -o", type::list(type::text), false}};
+}
+
 Run declare_census_gluings(OptionTable& table) {
   struct Options {
     enumeration::GluingOptions gluings;

@@ -71,6 +71,23 @@ Result describe_groups(const std::string& input, bool as_given, const std::strin
 
 } // namespace
 
+fields::List fields::of_group() {
+  namespace type = workshop::type;
+  List one{{"presentation", "", "the group, as it is read", type::text},
+           {"generators", "", "their letters", type::list(type::text)},
+           {"relators", "", "words in them", type::list(type::text)},
+           {"abelianized", "", "first homology", type::text},
+           {"generator_faces", "",
+            "of each generator of a triangulation's group: generator, and the tetrahedron and face that it "
+            "crosses",
+            type::list(type::object(
+                {{"generator", type::text}, {"tetrahedron", type::integer}, {"face", type::integer}}))}};
+  const workshop::FieldNote components{"components", "",
+                                       "in place of all that, where there are several: the same of each",
+                                       type::list(workshop::Type(workshop::schema_of(one))), false};
+  return workshop::both_of(workshop::sometimes(std::move(one)), {components});
+}
+
 Run declare_group(OptionTable& table) {
   const auto input = std::make_shared<std::string>();
   const auto as_given = std::make_shared<bool>(false);

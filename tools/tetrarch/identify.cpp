@@ -122,6 +122,17 @@ Run declare_census_identify(OptionTable& table) {
   return [options](const Context& context) { return identify(*options, context); };
 }
 
+fields::List fields::of_subdivide() {
+  namespace type = workshop::type;
+  return {{"input_tetrahedra", "", "number of tetrahedra of the input", type::integer},
+          {"tetrahedra", "", "number of tetrahedra", type::integer},
+          {"faces", "", "number of face classes", type::integer},
+          {"edges", "", "number of edge classes", type::integer},
+          {"vertices", "", "number of vertex classes", type::integer},
+          {"boundary_faces", "", "those of the faces that lie on the real boundary", type::integer},
+          {"output", "", "the file written; null: none", type::or_null(type::text)}};
+}
+
 Run declare_subdivide(OptionTable& table) {
   const auto options = std::make_shared<SubdivideOptions>();
   table.add("X", options->input, "a triangulation or a mesh").required();

@@ -255,6 +255,16 @@ Result make_moves(const MoveArguments& options, const Context& context) {
 
 } // namespace
 
+fields::List fields::of_move() {
+  namespace type = workshop::type;
+  return workshop::both_of(workshop::sometimes(workshop::notes_of<workshop::Info>()),
+                           {{"moves", "", "how many were made; with --list, those that are legal",
+                             type::either(type::integer, type::list(type::text)), false},
+                            {"complete", "", "with --list: whether all are listed", type::truth, false},
+                            {"move", "", "the illegal one, for which none was made", type::text, false},
+                            {"obstacle", "", "why it is illegal", type::text, false}});
+}
+
 Run declare_move(OptionTable& table) {
   const auto options = std::make_shared<MoveArguments>();
   table.add("X", options->input, "a triangulation or a mesh").required();

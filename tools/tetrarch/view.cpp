@@ -106,6 +106,14 @@ Result run_view(const ViewArguments& options, const Context& context) {
 
 } // namespace
 
+fields::List fields::of_view() {
+  namespace type = workshop::type;
+  return {{"page", "", "the file written", type::text},
+          {"bytes", "bytes", "its size", type::integer},
+          {"bodies", "", "what can be looked at: name, and copies",
+           type::list(type::object({{"name", type::text}, {"copies", type::integer}}))}};
+}
+
 Run declare_view(OptionTable& table) {
   const auto o = std::make_shared<ViewArguments>();
   table.add("X", o->input, "a hyperbolic manifold; the structure is found first, as by hyperbolize")
