@@ -30,7 +30,7 @@ from meshes_test import *  # noqa: F401,F403: meshes from elsewhere, and mending
 from marked_test import *  # noqa: F401,F403: cone angles, parabolic meridians, closed manifolds
 from options_test import *  # noqa: F401,F403: the tests of options that stand nowhere else
 from schema_test import *  # noqa: F401,F403: schemas of what --json prints
-from running import (INSTRUMENTED, PROGRAM, InFolder, SLOWER, SOURCE, medit, run, run_json, seconds_of_children, unused_options,
+from running import (INSTRUMENTED, PROGRAM, InFolder, SLOWER, SOURCE, medit, run, run_json, seconds_of_children, unseen_members, unused_options,
                      wait_until_it_listens)
 
 
@@ -1853,7 +1853,11 @@ class Slit(InFolder):
 
 if __name__ == "__main__":
     well = unittest.main(argv=[sys.argv[0], *sys.argv[3:]], exit=False).result.wasSuccessful()
-    unused = unused_options() if well and len(sys.argv) == 3 else []  # more arguments: some tests only
+    all_of_them = well and len(sys.argv) == 3  # more arguments: some tests only
+    unused = unused_options() if all_of_them else []
+    unseen = unseen_members() if all_of_them else []
     if unused:
         print("no test uses " + ", ".join(unused), file=sys.stderr)
-    sys.exit(0 if well and not unused else 1)
+    if unseen:
+        print("no test shows " + ", ".join(unseen), file=sys.stderr)
+    sys.exit(0 if well and not unused and not unseen else 1)

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Running the program in tests, and what was typed in all of them."""
+import collections
 import functools
 import json
 import os
@@ -24,6 +25,7 @@ with open(PROGRAM, "rb") as program:
     INSTRUMENTED = b"__asan_init" in program.read()  # AddressSanitizer's shadow takes terabytes of addresses
 SLOWER = 5 if INSTRUMENTED else 1  # than Release, of processor time
 TYPED = []  # (arguments, exit status) of every run
+SEEN = collections.defaultdict(set)  # by the words of a command, the members of results that were held to its schema
 
 
 def run(*arguments, stdin=None, cwd=None, env=None):
@@ -70,6 +72,7 @@ def hold_to_schemas(arguments, done):
     held = [(words, value) for value in objects_in(done.stdout)] if words else []
     held += [(("error",), value) for line in done.stderr.splitlines() if line.startswith('{"error"') for value in objects_in(line)]
     for validator, value in held:
+        SEEN[validator] |= set(value)
         for wrong in validators()[validator].iter_errors(value):
             raise AssertionError("%s: %s is not what help --schema says: %s" % (arguments, wrong.json_path, wrong.message))
 
@@ -156,3 +159,19 @@ def unused_options():
               if not any((command["name"], name) in used for name in option["names"])]
     unused += [option["names"][-1] for option in table["common"] if not everywhere & set(option["names"])]
     return unused
+
+
+# Members of schemas that no test brings about.
+NEVER_SEEN = {
+    **{words: {"groups"} for words in (("exterior",), ("bundle",), ("drill",), ("move",))},  # what they make is connected
+    ("slit",): {"mended"},  # the map of no surface here inverts triangles that moving vertices mends
+}
+
+
+def unseen_members():
+    """Of each schema the members that no run had, so that their types were never held against anything."""
+    if jsonschema is None:
+        return []
+    common = {"passed_over", "input", "name"}
+    return [f"{' '.join(words)}: {member}" for words, validator in validators().items()
+            for member in sorted(set(validator.schema["properties"]) - SEEN[words] - NEVER_SEEN.get(words, set()) - common)]

@@ -111,6 +111,24 @@ class Schemas(InFolder):
         self.assertTrue(all(map(validators()[("census", "enumerate")].is_valid, lines)))
         status, summary = run_json("census", "enumerate", "--tetrahedra", "2", "-o", self.path("table.jsonl"))
         self.assertEqual((status, summary["manifolds"]), (0, 8))
+        for share in ("1/2", "2/2"):
+            status, left = run_json("census", "enumerate", "--tetrahedra", "2", "--shard", share, "--work", self.path("w" + share[0]))
+            self.assertEqual((status, list(left)), (0, ["missing_units"]))
+        merged = run_json("census", "merge", self.path("w1"), self.path("w2"), "--tetrahedra", "2", "-o", self.path("merged.jsonl"))
+        self.assertEqual(merged, (0, summary))
+        # Of three tetrahedra that are not orientable, some have a cusp that is a Klein bottle.
+        table = ("--tetrahedra", "3", "--nonorientable")
+        done = run("census", "enumerate", *table, "--work", self.path("w"), "--json")
+        self.assertEqual(run("census", "merge", self.path("w"), *table, "--json").stdout, done.stdout)
+        cusped = [json.loads(line)["name"] for line in done.stdout.splitlines() if "klein_cusps" in line]
+        stored = [entry["name"] for entry in run_json("census", "list", *table)[1]["manifolds"] if "klein_cusps" in entry]
+        self.assertEqual((cusped, len(cusped)), (stored, 8))
+
+    def test_a_page(self):
+        page = self.path("y.html")
+        status, said = run_json("view", "cPcbbbihq", "--copies", "5", "-o", page)
+        self.assertEqual((status, said["page"], said["bytes"]), (0, page, os.path.getsize(page)))
+        self.assertEqual(max(body["copies"] for body in said["bodies"]), 5)
 
     def test_an_illegal_move(self):
         status, said = run_json("move", "cPcbbbihq", "4-1", "0", "0")
