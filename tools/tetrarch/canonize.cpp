@@ -25,7 +25,6 @@ struct CanonizeArguments {
 Result canonize(const CanonizeArguments& options, const Context& context) {
   const std::string& input = options.input;
   const std::string& output = options.output;
-  require_extension(output, ".json");
   workshop::CanonicalOptions how = options.how;
   how.seed = context.seed;
   const format::Document document = read_marked_triangulation(input, context);
@@ -100,7 +99,7 @@ Run declare_canonize(OptionTable& table) {
   const auto options = std::make_shared<CanonizeArguments>();
   table.add("X", options->input, "a triangulation that carries a hyperbolic structure").required();
   table.add("-o,--output", options->output, "write the canonical triangulation with its cells as JSON")
-      .output_file();
+      .output_file(with_extension(".json"));
   table.add("--isometries", options->how.list_isometries, "list all isometries (in JSON)");
   table.add("--attempts", options->how.attempts, "greatest number of triangulations to try")
       .in_range(1, 10'000'000)

@@ -24,7 +24,9 @@ std::vector<workshop::FieldNote> fields_of_manifold();
 std::string shortened(const std::string& volume);
 
 /// `--tetrahedra N`.
-void add_tetrahedra(OptionTable& table, int& tetrahedra, bool required);
+Option& add_tetrahedra(OptionTable& table, Target number);
+/// `--nonorientable`, for tables.
+void add_nonorientable(OptionTable& table, bool& wanted);
 
 /// Which table a command is about.
 struct TableChoice {

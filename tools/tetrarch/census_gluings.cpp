@@ -90,7 +90,7 @@ Run declare_census_gluings(OptionTable& table) {
     std::string output;
   };
   const auto options = std::make_shared<Options>();
-  add_tetrahedra(table, options->gluings.tetrahedra, true);
+  add_tetrahedra(table, &options->gluings.tetrahedra).required();
   table.add("--orientable", options->orientable, "only orientable gluings");
   table.add("--nonorientable", options->nonorientable, "only non-orientable gluings")
       .excludes("--orientable");

@@ -199,24 +199,23 @@ std::string shortened(const std::string& volume) {
   return fixed(format::parse_double(volume).value_or(0), decimals);
 }
 
-namespace {
-const std::string tetrahedra_help = "number of tetrahedra";
-const std::string nonorientable_help =
-    "the manifolds that are not orientable, which have a table of their own";
-} // namespace
+Option& add_tetrahedra(OptionTable& table, Target number) {
+  return table.add("--tetrahedra", number, "number of tetrahedra")
+      .in_range(1, enumeration::max_gluing_tetrahedra);
+}
 
-void add_tetrahedra(OptionTable& table, int& tetrahedra, bool required) {
-  Option& option =
-      table.add("--tetrahedra", tetrahedra, tetrahedra_help).in_range(1, enumeration::max_gluing_tetrahedra);
-  if (required)
-    option.required();
-  else
-    option.with_default();
+void add_nonorientable(OptionTable& table, bool& wanted) {
+  table.add("--nonorientable", wanted,
+            "the manifolds that are not orientable, which have a table of their own");
 }
 
 void add_table_choice(OptionTable& table, TableChoice& choice, bool required) {
-  add_tetrahedra(table, choice.tetrahedra, required);
-  table.add("--nonorientable", choice.nonorientable, nonorientable_help);
+  Option& tetrahedra = add_tetrahedra(table, &choice.tetrahedra);
+  if (required)
+    tetrahedra.required();
+  else
+    tetrahedra.with_default();
+  add_nonorientable(table, choice.nonorientable);
 }
 
 std::vector<Manifold> read_table_file(const std::string& path) {
@@ -244,8 +243,8 @@ Run declare_census_list(OptionTable& table) {
     bool count = false;
   };
   const auto o = std::make_shared<Options>();
-  table.add("--tetrahedra", o->tetrahedra, tetrahedra_help).in_range(1, enumeration::max_gluing_tetrahedra);
-  table.add("--nonorientable", o->nonorientable, nonorientable_help);
+  add_tetrahedra(table, &o->tetrahedra);
+  add_nonorientable(table, o->nonorientable);
   add_table(table, o->table);
   table
       .add("--boundary", o->boundary,

@@ -34,7 +34,6 @@ Json meridians_json(const moves::CutOut& made) {
 }
 
 Result drill(const DrillArguments& options, const Context& context) {
-  if (!options.output.empty()) output_format(options.output);
   const format::Document document = read_triangulation(options.input, context);
   require_manifolds(document.triangulation, options.input);
   const Skeleton skeleton(document.triangulation);
@@ -100,7 +99,7 @@ Run declare_drill(OptionTable& table) {
   table.add("--cut", options->cut,
             "cut the edges out and leave real boundary, unsimplified, with a meridian of each edge");
   table.add("-o,--output", options->output, "the file to write (its extension names the format)")
-      .output_file();
+      .output_file(require_triangulation);
   return [options](const Context& context) { return drill(*options, context); };
 }
 

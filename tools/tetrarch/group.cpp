@@ -47,7 +47,6 @@ std::vector<std::pair<std::string, std::string>> rows_of(const Json& group) {
 
 Result describe_groups(const std::string& input, bool as_given, const std::string& output,
                        const Context& context) {
-  require_extension(output, ".json");
   std::vector<LocatedGroup> groups = read_groups(input, context, as_given);
   if (groups.size() > 1 && !output.empty())
     throw InputError({input, 0}, "there are " + std::to_string(groups.size()) +
@@ -94,7 +93,7 @@ Run declare_group(OptionTable& table) {
   const auto output = std::make_shared<std::string>();
   table.add("X", *input, "a triangulation or a mesh, or a presentation such as '< a, b | abAB >'").required();
   table.add("--as-given", *as_given, "print the presentation without simplification");
-  table.add("-o,--output", *output, "write the presentation as JSON").output_file();
+  table.add("-o,--output", *output, "write the presentation as JSON").output_file(with_extension(".json"));
   return [input, as_given, output](const Context& context) {
     return describe_groups(*input, *as_given, *output, context);
   };

@@ -83,7 +83,6 @@ Triangulation subdivided(Triangulation tri, const SubdivideOptions& options, con
 }
 
 Result subdivide(const SubdivideOptions& options, const Context& context) {
-  if (!options.output.empty()) output_format(options.output);
   format::Document document = read_triangulation(options.input, context);
   const int before = document.triangulation.size();
   Triangulation tri = subdivided(std::move(document.triangulation), options, context);
@@ -144,7 +143,7 @@ Run declare_subdivide(OptionTable& table) {
       .in_range(0, 5);
   table.add("--one-four", options->one_four, "finally divide each tetrahedron into 4");
   table.add("-o,--output", options->output, "the file to write (its extension names the format)")
-      .output_file();
+      .output_file(require_triangulation);
   return [options](const Context& context) { return subdivide(*options, context); };
 }
 
