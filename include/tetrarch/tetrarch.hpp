@@ -281,5 +281,6 @@
 #include "tetrarch/workshop/text.hpp"
 #include "tetrarch/workshop/tree.hpp"
 #include "tetrarch/workshop/truncate.hpp"
+#include "tetrarch/workshop/type.hpp"
 #include "tetrarch/workshop/verdict.hpp"
 #include "tetrarch/workshop/verify.hpp"

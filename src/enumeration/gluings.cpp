@@ -30,11 +30,10 @@ int letters_of_pieces(int tetrahedra) {
   return std::min(std::max(tetrahedra, std::min(tetrahedra + 2, most)), 2 * tetrahedra);
 }
 
-/// The search cut into pieces that do not depend on the number of threads.
+/// The search cut into pieces by so many letters. Their results in a row do not depend on the cut.
 struct SearchPlan {
-  SearchPlan(const GluingOptions& options, const Progress& progress)
-      : rules(options), length(letters_of_pieces(options.tetrahedra)),
-        beginnings(GluingSearch(rules, progress).beginnings(length)) {}
+  SearchPlan(const GluingOptions& options, int letters, const Progress& progress)
+      : rules(options), length(letters), beginnings(GluingSearch(rules, progress).beginnings(length)) {}
 
   GluingRules rules;
   int length;
@@ -45,7 +44,9 @@ struct SearchPlan {
 template <class Item, class Make, class Deliver>
 void run(const GluingOptions& options, const Make& make, const Deliver& deliver, const Progress& progress) {
   require_sensible(options);
-  const SearchPlan plan(options, progress);
+  // Each piece is begun anew: for one thread few are enough, which tell how far it is.
+  const SearchPlan plan(
+      options, options.threads > 1 ? letters_of_pieces(options.tetrahedra) : options.tetrahedra, progress);
   const auto report = [&](double part) { progress.step(stage, part); };
   if (options.threads > 1) {
     const auto worker = [&] {
@@ -129,8 +130,10 @@ std::int64_t count_gluings(const GluingOptions& options, const Progress& progres
   return count;
 }
 
+/// Whatever the number of threads, which may be another one when work is resumed.
 struct GluingUnits::Plan : SearchPlan {
-  using SearchPlan::SearchPlan;
+  Plan(const GluingOptions& options, const Progress& progress)
+      : SearchPlan(options, letters_of_pieces(options.tetrahedra), progress) {}
 };
 
 GluingUnits::GluingUnits(const GluingOptions& options, const Progress& progress) {

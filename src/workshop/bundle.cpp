@@ -122,6 +122,10 @@ Tree index_tree(const std::vector<int>& index) {
   return {{"singular_triangles", count.singular}, {"index_sum", count.sum}};
 }
 
+Type index_type() {
+  return type::object({{"singular_triangles", type::integer}, {"index_sum", type::integer}});
+}
+
 Tree cut_tree(const SurfaceBundle& found) {
   const Plan& plan = found.made->plan;
   Tree curves = Tree::array();
@@ -130,6 +134,13 @@ Tree cut_tree(const SurfaceBundle& found) {
   Tree tree{{"along", cut_name(plan.method)}, {"curves", std::move(curves)}};
   if (plan.method == Plan::Method::canonical_loops) tree["word"] = surface::boundary_word(plan.cut);
   return tree;
+}
+
+Type cut_type() {
+  return type::object(
+      {{"along", type::text},
+       {"curves", type::list(type::object({{"edges", type::integer}, {"twist", type::integer}}))},
+       {"word", type::list(type::integer), type::sometimes}});
 }
 
 Tree obstruction_tree(const SurfaceBundle& found) {
@@ -241,43 +252,50 @@ template <>
 const FieldList<SurfaceBundle>& fields_of<SurfaceBundle>() {
   using F = const SurfaceBundle&;
   static const FieldList<SurfaceBundle> fields{
-      {{"solvable", "", "false: the values given on the boundary allow no bundle"},
+      {{"solvable", "", "false: the values given on the boundary allow no bundle", type::truth},
        [](F) -> Tree { return false; },
        is_obstructed},
       {{"obstruction", "",
         "the part of the surface that allows none: triangles by their numbers in the file, and forbidding, "
-        "the value of all its boundary edges"},
+        "the value of all its boundary edges",
+        type::object({{"triangles", type::list(type::integer)}, {"forbidding", type::integer}})},
        obstruction_tree,
        is_obstructed},
-      {{"surface", "", "what was given: type, triangles, euler (its Euler characteristic)"},
+      {{"surface", "", "what was given: type, triangles, euler (its Euler characteristic)",
+        type::object({{"type", type::text}, {"triangles", type::integer}, {"euler", type::integer}})},
        [](F f) -> Tree {
          return {{"type", f.surface.str()}, {"triangles", f.triangles}, {"euler", f.surface.euler}};
        },
        is_made},
-      {{"fiber", "", "number of edges of a fiber"},
+      {{"fiber", "", "number of edges of a fiber", type::integer},
        [](F f) -> Tree { return f.made->bundle.fiber; },
        is_made},
-      {{"euler_number", "", "of the bundle, counted in the result; null: the surface has boundary"},
+      {{"euler_number", "", "of the bundle, counted in the result; null: the surface has boundary",
+        type::or_null(type::integer)},
        [](F f) { return f.made->proof.has_euler_number ? Tree(f.made->proof.euler_number) : Tree(); },
        is_made},
-      {{"closed", "", "whether the surface is closed"},
+      {{"closed", "", "whether the surface is closed", type::truth},
        [](F f) -> Tree { return f.made->proof.has_euler_number; },
        is_made},
-      {{"refined", "", "the surface below the bundle: triangles, and splits of edges that made them"},
+      {{"refined", "", "the surface below the bundle: triangles, and splits of edges that made them",
+        type::object({{"triangles", type::integer}, {"splits", type::integer}})},
        [](F f) -> Tree {
          return {{"triangles", f.made->bundle.base.triangle_count()}, {"splits", f.made->plan.splits()}};
        },
        is_made},
       {{"cut", "",
         "along what the surface was cut, curves (edges, and twist in steps of a fiber's edge), and of "
-        "canonical loops the word that they are read as"},
+        "canonical loops the word that they are read as",
+        cut_type()},
        cut_tree,
        is_made},
       {{"field", "",
-        "singular_triangles and index_sum of a field of directions; null: this is no unit tangent bundle"},
+        "singular_triangles and index_sum of a field of directions; null: this is no unit tangent bundle",
+        type::or_null(index_type())},
        [](F f) { return is_tangent(*f.made) ? index_tree(f.made->field) : Tree(); },
        is_made},
-      {{"section", "", "the same of a section of the bundle at random; null: the surface has boundary"},
+      {{"section", "", "the same of a section of the bundle at random; null: the surface has boundary",
+        type::or_null(index_type())},
        [](F f) { return f.made->proof.has_euler_number ? index_tree(f.made->section) : Tree(); },
        is_made}};
   return fields;
@@ -293,7 +311,7 @@ Tree tree_of<SurfaceBundle>(const SurfaceBundle& found) {
 
 template <>
 std::vector<FieldNote> notes_of<SurfaceBundle>() {
-  return notes_with_info<SurfaceBundle>();
+  return both_of(sometimes(notes_of<Info>()), notes_of(fields_of<SurfaceBundle>()));
 }
 
 } // namespace tetrarch::workshop

@@ -145,6 +145,10 @@ Tree tree_of(const Isomorphism& isometry) {
   return {{"tetrahedra", isometry.tet}, {"vertices", perms}};
 }
 
+Type isomorphism_type() {
+  return type::object({{"tetrahedra", type::list(type::integer)}, {"vertices", type::list(type::text)}});
+}
+
 void name_isometries(Cells& found, bool keep) {
   std::vector<Isomorphism> group = isometry_group(*found.canonical);
   found.isometry_group_order = group.size();
@@ -430,71 +434,80 @@ template <>
 const FieldList<Cells>& fields_of<Cells>() {
   using C = const Cells&;
   static const FieldList<Cells> fields{
-      {{"outcome", "", "canonical, not hyperbolic (proved), or not found"},
+      {{"outcome", "", "canonical, not hyperbolic (proved), or not found",
+        type::one_of({"canonical", "not hyperbolic", "not found"})},
        [](C c) -> Tree { return is_found(c) ? "canonical"
                                 : c.why     ? "not hyperbolic"
                                             : "not found"; }},
-      {{"reason", "", "why there are no cells"},
+      {{"reason", "", "why there are no cells", type::text},
        [](C c) -> Tree { return c.why ? c.why->text : c.why_not; },
        is_not_found},
-      {{"why", "", "the proof that the manifold is not hyperbolic, as for hyperbolize"},
+      {{"why", "", "the proof that the manifold is not hyperbolic, as for hyperbolize", reason_type()},
        [](C c) -> Tree { return tree_of(*c.why); },
        [](C c) { return c.why.has_value(); }},
-      {{"cells", "", "the polyhedra, by their names"},
+      {{"cells", "", "the polyhedra, by their names", type::list(type::text)},
        [](C c) -> Tree { return c.canonical->cells; },
        is_found},
-      {{"isometry_signature", "", "a text that two manifolds share if and only if they are isometric"},
+      {{"isometry_signature", "", "a text that two manifolds share if and only if they are isometric",
+        type::text},
        [](C c) -> Tree { return c.canonical->isometry_signature; },
        is_found},
-      {{"isometry_group_order", "", "number of isometries of the manifold to itself"},
+      {{"isometry_group_order", "", "number of isometries of the manifold to itself", type::integer},
        [](C c) -> Tree { return c.isometry_group_order; },
        is_found},
-      {{"isometry_group", "", "its name, such as Z/2 + Z/2, D4 (of order 8), S4; null: none of those known"},
+      {{"isometry_group", "", "its name, such as Z/2 + Z/2, D4 (of order 8), S4; null: none of those known",
+        type::or_null(type::text)},
        [](C c) { return c.isometry_group.empty() ? Tree() : Tree(c.isometry_group); },
        is_found},
-      {{"amphichiral", "", "whether an isometry reverses orientation; null: there is no orientation"},
+      {{"amphichiral", "", "whether an isometry reverses orientation; null: there is no orientation",
+        type::or_null(type::truth)},
        [](C c) { return c.amphichiral ? Tree(*c.amphichiral) : Tree(); },
        is_found},
       {{"isometries", "",
-        "of each isometry the images of the canonical triangulation's tetrahedra and vertices"},
+        "of each isometry the images of the canonical triangulation's tetrahedra and vertices",
+        type::list(isomorphism_type())},
        [](C c) {
          Tree list = Tree::array();
          for (const Isomorphism& isometry : c.isometries) list.push_back(tree_of(isometry));
          return list;
        },
        has_isometries},
-      {{"certified", "", "whether the cells are proved to be the canonical ones"},
+      {{"certified", "", "whether the cells are proved to be the canonical ones", type::truth},
        [](C c) -> Tree { return is_proved(c); },
        is_found},
-      {{"why_not_certified", "", "what is in doubt"},
+      {{"why_not_certified", "", "what is in doubt", type::text},
        [](C c) -> Tree { return c.canonical->proof.why_not; },
        is_not_proved},
       {{"criteria", "",
         "what proves each cell: tetrahedron, or how it is proved flat (R: orbits, F: one line, B: blocks, L: "
-        "linear relations, E: exact algebra)"},
+        "linear relations, E: exact algebra)",
+        type::list(type::text)},
        [](C c) { return criteria_of(c.canonical->proof); },
        is_proved},
-      {{"certificate", "", "SHA-256 of the file that proves structure and cells"},
+      {{"certificate", "", "SHA-256 of the file that proves structure and cells", type::text},
        [](C c) -> Tree { return verified::digest(c.certificate); },
        [](C c) { return !c.certificate.empty(); }},
-      {{"tetrahedra", "", "number of tetrahedra of the subdivided cells"},
+      {{"tetrahedra", "", "number of tetrahedra of the subdivided cells", type::integer},
        [](C c) -> Tree { return c.canonical->triangulation.size(); },
        is_found},
       {{"flat_faces", "",
-        "whether cells other than tetrahedra occur, so that some faces inside them are flat"},
+        "whether cells other than tetrahedra occur, so that some faces inside them are flat", type::truth},
        [](C c) -> Tree { return c.canonical->has_flat_faces; },
        is_found},
-      {{"smallest_tilt", "", "of the faces between cells: how far the cells are from other ones"},
+      {{"smallest_tilt", "", "of the faces between cells: how far the cells are from other ones",
+        type::number},
        [](C c) -> Tree { return c.canonical->smallest_tilt; },
        is_found},
-      {{"volume", "curvature -1", "the volume; with marks that of the structure with parabolic meridians"},
+      {{"volume", "curvature -1", "the volume; with marks that of the structure with parabolic meridians",
+        type::number},
        [](C c) -> Tree { return c.volume; },
        is_found},
       {{"marks", "",
-        "of each marked edge of the canonical triangulation a tetrahedron, its edge, and the order"},
+        "of each marked edge of the canonical triangulation a tetrahedron, its edge, and the order",
+        marks_type()},
        [](C c) -> Tree { return marks_tree(c.canonical->canonical_marks); },
        [](C c) { return is_found(c) && !c.canonical->marks.empty(); }},
-      {{"filled_spheres", "", "number of boundary spheres that were filled with balls"},
+      {{"filled_spheres", "", "number of boundary spheres that were filled with balls", type::integer},
        [](C c) -> Tree { return c.filled_spheres; }}};
   return fields;
 }
@@ -503,20 +516,23 @@ template <>
 const FieldList<Isometry>& fields_of<Isometry>() {
   using I = const Isometry&;
   static const FieldList<Isometry> fields{
-      {{"isometric", "", "true or false, both proved; null: undecided"},
+      {{"isometric", "", "true or false, both proved; null: undecided", type::or_null(type::truth)},
        [](I i) { return is_undecided(i) ? Tree() : Tree(is_yes(i)); }},
-      {{"reason", "", "what decides, or what is missing"}, [](I i) -> Tree { return i.answer.reason; }},
-      {{"proof", "", "which kind of proof; null: undecided"},
+      {{"reason", "", "what decides, or what is missing", type::text},
+       [](I i) -> Tree { return i.answer.reason; }},
+      {{"proof", "", "which kind of proof; null: undecided", type::or_null(type::text)},
        [](I i) { return is_undecided(i) ? Tree() : Tree(to_string(i.answer.proof)); }},
-      {{"filled_spheres", "", "number of boundary spheres filled with balls in each"},
+      {{"filled_spheres", "", "number of boundary spheres filled with balls in each", type::integer},
        [](I i) -> Tree { return i.filled_spheres; }},
-      {{"isometry", "", "for each tetrahedron its image, and where its vertices go"},
+      {{"isometry", "", "for each tetrahedron its image, and where its vertices go", isomorphism_type()},
        [](I i) { return tree_of(i.answer.isometry); },
        is_yes},
-      {{"between", "", "which triangulations the isometry goes between"},
+      {{"between", "", "which triangulations the isometry goes between", type::text},
        [](I i) -> Tree { return i.between; },
        is_yes},
-      {{"from", "", "signature of the first of them"}, [](I i) -> Tree { return i.from; }, is_yes}};
+      {{"from", "", "signature of the first of them", type::text},
+       [](I i) -> Tree { return i.from; },
+       is_yes}};
   return fields;
 }
 

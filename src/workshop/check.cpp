@@ -200,6 +200,17 @@ Tree quality_tree(const Diagnosis& d) {
           {"worst", std::move(worst)}};
 }
 
+Type quality_type() {
+  const Type one = type::object({{"number", type::integer},
+                                 {"least_angle", type::number},
+                                 {"greatest_angle", type::number},
+                                 {"scaled_jacobian", type::number}});
+  return type::object({{"least_angle", type::number},
+                       {"greatest_angle", type::number},
+                       {"least_scaled_jacobian", type::number},
+                       {"worst", type::list(one)}});
+}
+
 bool is_sheet(const Diagnosis& d) {
   return d.sheet.has_value();
 }
@@ -254,49 +265,68 @@ template <>
 const FieldList<Diagnosis>& fields_of<Diagnosis>() {
   using D = const Diagnosis&;
   static const FieldList<Diagnosis> fields{
-      {{"triangles", "", "of a surface: number of triangles"},
+      {{"triangles", "", "of a surface: number of triangles", type::integer},
        [](D d) -> Tree { return d.elements(); },
        [](D d) { return d.is_surface; }},
-      {{"tetrahedra", "", "of a solid: number of tetrahedra"},
+      {{"tetrahedra", "", "of a solid: number of tetrahedra", type::integer},
        [](D d) -> Tree { return d.elements(); },
        [](D d) { return !d.is_surface; }},
-      {{"vertices", "", "number of vertices"}, [](D d) -> Tree { return d.soup.points.size(); }},
-      {{"fatal", "", "number of findings by which it is no manifold; 0: it is one"},
+      {{"vertices", "", "number of vertices", type::integer},
+       [](D d) -> Tree { return d.soup.points.size(); }},
+      {{"fatal", "", "number of findings by which it is no manifold; 0: it is one", type::integer},
        [](D d) -> Tree { return d.report.count(doctor::Severity::fatal); }},
-      {{"counts", "", "by kind, the number of findings"}, counts_tree},
-      {{"findings", "", "the first of each kind: kind, severity, number, line, text"}, findings_tree},
-      {{"repairs", "", "what was mended first, a sentence each"}, [](D d) -> Tree { return d.repairs; }},
-      {{"boundary", "", "of a solid: type and genus of each surface that bounds it"},
+      {{"counts", "", "by kind, the number of findings", type::table(type::integer)}, counts_tree},
+      {{"findings", "", "the first of each kind: kind, severity, number, line, text",
+        type::list(type::object({{"kind", type::text},
+                                 {"severity", type::one_of({"fatal", "repairable", "remark"})},
+                                 {"number", type::integer},
+                                 {"line", type::integer},
+                                 {"text", type::text}}))},
+       findings_tree},
+      {{"repairs", "", "what was mended first, a sentence each", type::list(type::text)},
+       [](D d) -> Tree { return d.repairs; }},
+      {{"boundary", "", "of a solid: type and genus of each surface that bounds it",
+        type::list(type::object({{"type", type::text}, {"genus", type::integer}}))},
        hull_tree,
        [](D d) { return d.hull.has_value(); }},
-      {{"components", "", "number of components of a manifold"},
+      {{"components", "", "number of components of a manifold", type::integer},
        [](D d) { return d.hull ? Tree(d.hull->components) : Tree(d.sheet->types.size()); },
        [](D d) { return d.hull || d.sheet; }},
-      {{"genus", "", "of a surface; null: it has several components"},
+      {{"genus", "", "of a surface; null: it has several components", type::or_null(type::integer)},
        [](D d) { return d.sheet->types.size() == 1 ? Tree(d.sheet->types.front().genus()) : Tree(); },
        is_sheet},
-      {{"component_genera", "", "of a surface: the genus of each component"}, genera_tree, is_sheet},
-      {{"type", "", "of a surface, such as \"torus\"; null: it has several components"},
+      {{"component_genera", "", "of a surface: the genus of each component", type::list(type::integer)},
+       genera_tree,
+       is_sheet},
+      {{"type", "", "of a surface, such as \"torus\"; null: it has several components",
+        type::or_null(type::text)},
        [](D d) { return d.sheet->types.size() == 1 ? Tree(d.sheet->types.front().str()) : Tree(); },
        is_sheet},
       {{"boundary_loops", "",
-        "of a surface, by decreasing length: index, length, area, vertices (counted from 0)"},
+        "of a surface, by decreasing length: index, length, area, vertices (counted from 0)",
+        type::list(type::object({{"index", type::integer},
+                                 {"length", type::number},
+                                 {"area", type::number},
+                                 {"vertices", type::list(type::integer)}}))},
        loops_tree,
        is_sheet},
-      {{"box", "", "least and greatest coordinates of the vertices in use"},
+      {{"box", "", "least and greatest coordinates of the vertices in use",
+        type::object({{"least", type::list(type::number, 3)}, {"greatest", type::list(type::number, 3)}})},
        [](D d) -> Tree {
          return {{"least", d.measures->extent.least}, {"greatest", d.measures->extent.greatest}};
        },
        is_measured},
-      {{"volume", "", "signed; of a surface, what it encloses; null: it encloses nothing"},
+      {{"volume", "", "signed; of a surface, what it encloses; null: it encloses nothing",
+        type::or_null(type::number)},
        [](D d) { return d.is_surface && !d.encloses() ? Tree() : Tree(d.measures->extent.volume); },
        is_measured},
-      {{"area", "", "of a surface"},
+      {{"area", "", "of a surface", type::number},
        [](D d) -> Tree { return d.measures->extent.area; },
        [](D d) { return d.is_surface && d.measures; }},
       {{"quality", "degrees",
         "least_angle, greatest_angle, least_scaled_jacobian (a pure number, at most 1), and of the worst ten "
-        "elements number, both angles and scaled_jacobian"},
+        "elements number, both angles and scaled_jacobian",
+        quality_type()},
        quality_tree,
        is_measured}};
   return fields;

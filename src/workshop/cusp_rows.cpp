@@ -55,4 +55,14 @@ Tree cusps_tree(const Structure& s) {
   return list;
 }
 
+Type cusps_type() {
+  return type::list(
+      type::object({{"vertex", type::integer},
+                    {"type", type::one_of({"torus", "Klein bottle"})},
+                    {"shape", type::list(type::number, 2)},
+                    {"area", type::number},
+                    {"residual", type::number},
+                    {"shape_interval", type::list(type::list(type::text, 2), 2), type::sometimes}}));
+}
+
 } // namespace tetrarch::workshop

@@ -11,5 +11,7 @@ namespace tetrarch::workshop {
 void add_cusps(const Structure& s, Rows& rows);
 /// The same for JSON, and where the structure is certified the intervals that hold the shape.
 Tree cusps_tree(const Structure& s);
+/// Of that tree.
+Type cusps_type();
 
 } // namespace tetrarch::workshop

@@ -228,20 +228,21 @@ template <>
 const FieldList<DiagramFacts>& fields_of<DiagramFacts>() {
   using F = const DiagramFacts&;
   static const FieldList<DiagramFacts> fields{
-      {{"crossings", "", "number of crossings"}, [](F f) -> Tree { return f.crossings; }},
-      {{"vertices", "", "number of vertices of the graph whose valence is not 2"},
+      {{"crossings", "", "number of crossings", type::integer}, [](F f) -> Tree { return f.crossings; }},
+      {{"vertices", "", "number of vertices of the graph whose valence is not 2", type::integer},
        [](F f) -> Tree { return f.vertices; }},
-      {{"edges", "", "number of edges of the graph; a component of a link is one"},
+      {{"edges", "", "number of edges of the graph; a component of a link is one", type::integer},
        [](F f) -> Tree { return f.edges; }},
-      {{"components", "", "number of connected components of the graph or link"},
+      {{"components", "", "number of connected components of the graph or link", type::integer},
        [](F f) -> Tree { return f.components; }},
-      {{"parts", "", "number of connected components of the plane picture"},
+      {{"parts", "", "number of connected components of the plane picture", type::integer},
        [](F f) -> Tree { return f.parts; }},
-      {{"regions", "", "number of regions of the plane"}, [](F f) -> Tree { return f.regions; }},
-      {{"alternating", "",
-        "whether each arc between two crossings passes over at one and under at the other"},
+      {{"regions", "", "number of regions of the plane", type::integer},
+       [](F f) -> Tree { return f.regions; }},
+      {{"alternating", "", "whether each arc between two crossings passes over at one and under at the other",
+        type::truth},
        [](F f) -> Tree { return f.alternating; }},
-      {{"code", "", "planar diagram code"}, [](F f) -> Tree { return f.code; }}};
+      {{"code", "", "planar diagram code", type::text}, [](F f) -> Tree { return f.code; }}};
   return fields;
 }
 
@@ -249,31 +250,36 @@ template <>
 const FieldList<Exterior>& fields_of<Exterior>() {
   using X = const Exterior&;
   static const FieldList<Exterior> fields{
-      {{"crossings", "", "number of crossings of the diagram"},
+      {{"crossings", "", "number of crossings of the diagram", type::integer},
        [](X x) -> Tree { return x.diagram.crossings; }},
-      {{"components", "", "number of connected components of the graph or link"},
+      {{"components", "", "number of connected components of the graph or link", type::integer},
        [](X x) -> Tree { return x.diagram.components; }},
-      {{"meridians", "", "of each edge of the graph its meridian, a word in the group \"wirtinger\""},
+      {{"meridians", "", "of each edge of the graph its meridian, a word in the group \"wirtinger\"",
+        type::list(type::text)},
        meridians_tree},
       {{"orders", "",
         "of each edge of the graph its order (0: its meridian is parabolic); null: it is drilled. An edge "
         "ends "
-        "where it begins to be drilled"},
+        "where it begins to be drilled",
+        type::list(type::or_null(type::integer))},
        fates_tree,
        [](X x) { return !x.fates.empty(); }},
-      {{"marks", "", "edges of the triangulation that stay: tetrahedron, edge, order"},
+      {{"marks", "", "edges of the triangulation that stay: tetrahedron, edge, order", marks_type()},
        [](X x) { return marks_tree(x.marks); },
        [](X x) { return !x.fates.empty(); }},
-      {{"filled_spheres", "", "trees among the components, the ball round each of which was filled in again"},
+      {{"filled_spheres", "", "trees among the components, the ball round each of which was filled in again",
+        type::integer},
        [](X x) -> Tree { return x.filled_spheres; },
        [](X x) { return x.filled_spheres > 0; }},
       {{"parabolic_volume", "curvature -1",
         "volume of the structure whose meridians are parabolic, with totally geodesic spheres at the "
         "vertices; "
-        "null where none was found"},
+        "null where none was found",
+        type::or_null(type::number)},
        [](X x) { return x.parabolic->found ? Tree(x.parabolic->volume) : Tree(); },
        [](X x) { return x.parabolic.has_value(); }},
-      {{"wirtinger", "", "the group as the diagram gives it; generators are meridians"}, wirtinger_tree}};
+      {{"wirtinger", "", "the group as the diagram gives it; generators are meridians", group_type()},
+       wirtinger_tree}};
   return fields;
 }
 

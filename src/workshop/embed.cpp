@@ -83,6 +83,23 @@ Tree domain_tree(const Embedding& e) {
           {"relators", relators}};
 }
 
+Type domain_type() {
+  const Type matrix = type::list(type::list(type::number, 4), 4);
+  const Type placed = type::object({{"vertices", type::list(type::list(type::number, 4), 4)},
+                                    {"types", type::list(type::text, 4)},
+                                    {"parent", type::integer}});
+  const Type face = type::object({{"hexagons", type::list(type::list(type::integer, 2))},
+                                  {"partner", type::integer},
+                                  {"pairing", matrix}});
+  const Type mobius = type::object(
+      {{"matrix", type::list(type::list(type::number, 2), 4)}, {"reverses_orientation", type::truth}});
+  return type::object({{"half_space", matrix},
+                       {"tetrahedra", type::list(placed)},
+                       {"gluable_faces", type::list(face)},
+                       {"generators", type::list(type::object({{"so31", matrix}, {"sl2c", mobius}}))},
+                       {"relators", type::list(type::text)}});
+}
+
 Tree piece_tree(const Embedding& e) {
   const embed::Piece& piece = e.piece;
   return {{"count", piece.copies.size()},
@@ -192,23 +209,36 @@ template <>
 const FieldList<Embedding>& fields_of<Embedding>() {
   using E = const Embedding&;
   static const FieldList<Embedding> fields{
-      {{"signature", "", "of the triangulation that carries the structure"},
+      {{"signature", "", "of the triangulation that carries the structure", type::text},
        [](E e) -> Tree { return signature(e.at.triangulation()); }},
-      {{"volume", "curvature -1", "of the manifold"},
+      {{"volume", "curvature -1", "of the manifold", type::number},
        [](E e) -> Tree { return e.at.search.structure.volume; }},
       {{"residuals", "",
         "what would be 0 without rounding: seam, relator, relator_sl2c, edge_rotation (radians), "
-        "boundary_plane and gauss_bonnet"},
+        "boundary_plane and gauss_bonnet",
+        type::object({{"seam", type::number},
+                      {"relator", type::number},
+                      {"relator_sl2c", type::number},
+                      {"edge_rotation", type::number},
+                      {"boundary_plane", type::number},
+                      {"gauss_bonnet", type::number}})},
        residuals_tree},
       {{"domain", "curvature -1",
         "half_space, the isometry to the upper half space; tetrahedra, with vertices in the hyperboloid "
         "model; "
-        "gluable_faces, with their pairings; generators, as so31 and sl2c; relators"},
+        "gluable_faces, with their pairings; generators, as so31 and sl2c; relators",
+        domain_type()},
        domain_tree},
       {{"copies", "curvature -1",
         "count, complete (nothing within other bounds was cut off by the number of copies), longest_word, "
         "farthest (a distance), "
-        "largest_duplicate_difference and smallest_difference of isometries"},
+        "largest_duplicate_difference and smallest_difference of isometries",
+        type::object({{"count", type::integer},
+                      {"complete", type::truth},
+                      {"longest_word", type::integer},
+                      {"farthest", type::number},
+                      {"largest_duplicate_difference", type::number},
+                      {"smallest_difference", type::number}})},
        piece_tree}};
   return fields;
 }

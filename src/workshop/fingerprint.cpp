@@ -70,6 +70,20 @@ Tree fingerprint_tree(TypeRef t) {
       {"triangles", f.triangles}};
 }
 
+Type fingerprint_type() {
+  const Type known = type::object({{"value", type::number}, {"error", type::or_null(type::number)}});
+  const auto loops = [&known](const char* first, const char* second, const char* third) {
+    return type::list(
+        type::object({{"loop", type::integer}, {first, known}, {second, known}, {third, known}}));
+  };
+  return type::object(
+      {{"outer", type::integer},
+       {"inner", type::integer},
+       {"ring", type::object({{"inner_radius", known}, {"slits", loops("radius", "start", "end")}})},
+       {"disk", type::object({{"inner_radius", known}, {"circles", loops("x", "y", "radius")}})},
+       {"triangles", type::list(type::integer)}});
+}
+
 void add_fingerprint(Rows& rows, const slit::Fingerprint& f) {
   const Invariants ring = ring_of(f);
   const Invariants disk = disk_of(f);
@@ -149,18 +163,21 @@ const FieldList<ConformalType>& fields_of<ConformalType>() {
       {{"fingerprint", "radians",
         "with --fingerprint or --distance: outer and inner (loops), ring (inner_radius, and of each slit "
         "loop, radius, start, end), disk (inner_radius, and of each circle loop, x, y, radius), triangles; "
-        "each number (lengths are those of a unit disk) as value and error, null where none is known"},
+        "each number (lengths are those of a unit disk) as value and error, null where none is known",
+        fingerprint_type()},
        fingerprint_tree},
-      {{"distance", "", "with --distance: the least over all matchings of the loops"},
+      {{"distance", "", "with --distance: the least over all matchings of the loops", type::number},
        [](TypeRef t) -> Tree { return t.comparison->distance; },
        is_compared},
-      {{"matching", "", "with --distance: of each loop, the loop of the other surface"},
+      {{"matching", "", "with --distance: of each loop, the loop of the other surface",
+        type::list(type::integer)},
        [](TypeRef t) -> Tree { return t.comparison->matching; },
        is_compared},
-      {{"mirrored", "", "with --distance: whether the other surface's mirror image is nearer"},
+      {{"mirrored", "", "with --distance: whether the other surface's mirror image is nearer", type::truth},
        [](TypeRef t) -> Tree { return t.comparison->mirrored; },
        is_compared},
-      {{"second_distance", "", "with --distance: by the next best matching; null: there is no other"},
+      {{"second_distance", "", "with --distance: by the next best matching; null: there is no other",
+        type::or_null(type::number)},
        [](TypeRef t) {
          return t.comparison->second_distance ? Tree(*t.comparison->second_distance) : Tree();
        },
@@ -169,10 +186,7 @@ const FieldList<ConformalType>& fields_of<ConformalType>() {
 }
 
 std::vector<FieldNote> notes_of_maps_and_types() {
-  std::vector<FieldNote> notes = notes_of<ConformalMap>();
-  const std::vector<FieldNote> more = notes_of<ConformalType>();
-  notes.insert(notes.end(), more.begin(), more.end());
-  return each_once(notes);
+  return either_of(notes_of<ConformalMap>(), notes_of<ConformalType>());
 }
 
 } // namespace tetrarch::workshop

@@ -30,6 +30,12 @@ Tree tree_of(const std::vector<product::BadHexahedron>& bad) {
   return list;
 }
 
+Type bad_hexahedra_type() {
+  return type::list(type::object({{"hexahedron", type::integer},
+                                  {"scaled_jacobian", type::number},
+                                  {"at", type::list(type::number, 3)}}));
+}
+
 long long count_below_good(const product::HexQuality& quality) {
   constexpr double good = 0.2;
   return std::count_if(quality.scaled_jacobian.begin(), quality.scaled_jacobian.end(),

@@ -6,6 +6,7 @@
 #include "tetrarch/format/mesh_json.hpp"
 #include "tetrarch/product/hex_mesh.hpp"
 #include "tetrarch/workshop/tree.hpp"
+#include "tetrarch/workshop/type.hpp"
 
 #include <string>
 #include <vector>
@@ -21,6 +22,8 @@ std::string text_of(const std::vector<product::BadHexahedron>& bad);
 
 /// Of each: hexahedron, scaled_jacobian, at.
 Tree tree_of(const std::vector<product::BadHexahedron>& bad);
+/// Of that tree.
+Type bad_hexahedra_type();
 
 /// Hexahedra of a scaled Jacobian below 0.2; solvers are content above.
 long long count_below_good(const product::HexQuality& quality);

@@ -33,18 +33,23 @@ template <>
 const FieldList<Identification>& fields_of<Identification>() {
   using I = const Identification&;
   static const FieldList<Identification> fields{
-      {{"name", "", "the name; null: none found"}, [](I i) { return or_null(i.name); }},
-      {{"by", "", "what the name rests on: isometry signature, triangulation, or group"},
+      {{"name", "", "the name; null: none found", type::or_null(type::text)},
+       [](I i) { return or_null(i.name); }},
+      {{"by", "", "what the name rests on: isometry signature, triangulation, or group",
+        type::or_null(type::one_of({"isometry signature", "triangulation", "group"}))},
        [](I i) { return i ? Tree(to_string(i.by)) : Tree(); }},
-      {{"volume", "curvature -1", "the volume; null without a structure"},
+      {{"volume", "curvature -1", "the volume; null without a structure", type::or_null(type::number)},
        [](I i) { return i.volume ? Tree(*i.volume) : Tree(); }},
-      {{"isometry_signature", "", "of the canonical cells; null without a structure"},
+      {{"isometry_signature", "", "of the canonical cells; null without a structure",
+        type::or_null(type::text)},
        [](I i) { return or_null(i.isometry_signature); }},
-      {{"signature", "", "isomorphism signature of the triangulation that carries the structure"},
+      {{"signature", "", "isomorphism signature of the triangulation that carries the structure", type::text},
        [](I i) -> Tree { return signature(i.triangulation); }},
-      {{"confirmed_only", "", "whether the cells rest on numbers that are zero to 60 digits, without proof"},
+      {{"confirmed_only", "", "whether the cells rest on numbers that are zero to 60 digits, without proof",
+        type::truth},
        [](I i) -> Tree { return i.confirmed_only; }},
-      {{"tried", "", "a sentence for each step"}, [](I i) -> Tree { return i.tried; }}};
+      {{"tried", "", "a sentence for each step", type::list(type::text)},
+       [](I i) -> Tree { return i.tried; }}};
   return fields;
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "tetrarch/workshop/info.hpp"
 
+#include "with_info.hpp"
+
 #include "tetrarch/algebra/homology.hpp"
 #include "tetrarch/core/signature.hpp"
 #include "tetrarch/workshop/text.hpp"
@@ -138,29 +140,38 @@ template <>
 const FieldList<Info>& fields_of<Info>() {
   using I = const Info&;
   static const FieldList<Info> fields{
-      {{"name", "", "the name that it was given"},
+      {{"name", "", "the name that it was given", type::text},
        [](I i) -> Tree { return i.name; },
        [](I i) { return !i.name.empty(); }},
-      {{"tetrahedra", "", "number of tetrahedra"}, [](I i) -> Tree { return i.tetrahedra; }},
-      {{"faces", "", "number of face classes"}, [](I i) -> Tree { return i.faces; }},
-      {{"edges", "", "number of edge classes"}, [](I i) -> Tree { return i.edges; }},
-      {{"vertices", "", "number of vertex classes"}, [](I i) -> Tree { return i.vertices; }},
-      {{"valid", "", "whether it is a manifold with ideal vertices"}, [](I i) -> Tree { return i.valid(); }},
-      {{"defects", "", "what keeps it from that: name, and where"}, defects_tree},
-      {{"orientable", "", "whether it is orientable"}, [](I i) -> Tree { return i.orientable; }},
-      {{"connected", "", "whether it is connected"}, [](I i) -> Tree { return i.components <= 1; }},
-      {{"signature", "", "isomorphism signature; null where it is left out"},
+      {{"tetrahedra", "", "number of tetrahedra", type::integer}, [](I i) -> Tree { return i.tetrahedra; }},
+      {{"faces", "", "number of face classes", type::integer}, [](I i) -> Tree { return i.faces; }},
+      {{"edges", "", "number of edge classes", type::integer}, [](I i) -> Tree { return i.edges; }},
+      {{"vertices", "", "number of vertex classes", type::integer}, [](I i) -> Tree { return i.vertices; }},
+      {{"valid", "", "whether it is a manifold with ideal vertices", type::truth},
+       [](I i) -> Tree { return i.valid(); }},
+      {{"defects", "", "what keeps it from that: name, and where",
+        type::list(type::object({{"name", type::text}, {"where", type::text}}))},
+       defects_tree},
+      {{"orientable", "", "whether it is orientable", type::truth}, [](I i) -> Tree { return i.orientable; }},
+      {{"connected", "", "whether it is connected", type::truth},
+       [](I i) -> Tree { return i.components <= 1; }},
+      {{"signature", "", "isomorphism signature; null where it is left out", type::or_null(type::text)},
        [](I i) { return null_unless(!i.signature.empty(), i.signature); }},
-      {{"homology", "", "first homology; null of one that is not valid"},
+      {{"homology", "", "first homology; null of one that is not valid", type::or_null(type::text)},
        [](I i) { return null_unless(i.valid(), i.homology); }},
       {{"boundary", "",
-        "of each boundary component: ideal or real, genus, orientability, Euler characteristic"},
+        "of each boundary component: ideal or real, genus, orientability, Euler characteristic",
+        type::list(type::object({{"kind", type::one_of({"ideal", "real"})},
+                                 {"genus", type::integer},
+                                 {"orientable", type::truth},
+                                 {"euler", type::integer}}))},
        [](I i) { return boundary_tree(i.boundary); }},
-      {{"group", "", "a presentation of the fundamental group of a connected one; null where it is left out"},
+      {{"group", "", "a presentation of the fundamental group of a connected one; null where it is left out",
+        type::or_null(group_type())},
        [](I i) { return i.groups.size() == 1 ? group_tree(i.groups.front()) : Tree(); }},
-      {{"groups", "", "presentations of the components' fundamental groups"}, groups_tree, [](I i) {
-         return i.groups.size() > 1;
-       }}};
+      {{"groups", "", "presentations of the components' fundamental groups", type::list(group_type())},
+       groups_tree,
+       [](I i) { return i.groups.size() > 1; }}};
   return fields;
 }
 

@@ -26,9 +26,9 @@ auto timed(Simplification& result, Work work) {
 /// What each of them says besides what came out.
 template <class Result>
 std::array<Field<Result>, 2> fields_of_run() {
-  return {{{{"input_tetrahedra", "", "number of tetrahedra of the input"},
+  return {{{{"input_tetrahedra", "", "number of tetrahedra of the input", type::integer},
             [](const Result& r) -> Tree { return r.input_tetrahedra; }},
-           {{"seconds", "seconds", "time that the moves took"},
+           {{"seconds", "seconds", "time that the moves took", type::number},
             [](const Result& r) -> Tree { return r.seconds; }}}};
 }
 

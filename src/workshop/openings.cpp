@@ -65,7 +65,12 @@ const FieldList<HoledSurface>& fields_of<HoledSurface>() {
   static const FieldList<HoledSurface> fields{
       {{"boundaries", "",
         "loops by decreasing length, those punched and sliced included: index, edges, length, area (of the "
-        "largest shadow), vertex (one of the loop, counted from 0)"},
+        "largest shadow), vertex (one of the loop, counted from 0)",
+        type::list(type::object({{"index", type::integer},
+                                 {"edges", type::integer},
+                                 {"length", type::number},
+                                 {"area", type::number},
+                                 {"vertex", type::integer}}))},
        boundaries_tree}};
   return fields;
 }

@@ -131,4 +131,8 @@ Tree marks_tree(const Marks& marks) {
   return list;
 }
 
+Type marks_type() {
+  return type::list(type::tuple({type::integer, type::text, type::integer}));
+}
+
 } // namespace tetrarch::workshop

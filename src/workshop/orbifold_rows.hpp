@@ -20,5 +20,7 @@ void add_orbifold(const hyperbolic::OrbifoldSearch& found, const Skeleton& skele
 
 Tree vertices_tree(const hyperbolic::OrbifoldSearch& found, const Skeleton& skeleton);
 Tree marks_tree(const Marks& marks);
+/// Of that tree.
+Type marks_type();
 
 } // namespace tetrarch::workshop

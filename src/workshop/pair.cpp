@@ -258,27 +258,30 @@ template <>
 const FieldList<PairSide>& fields_of<PairSide>() {
   using S = const PairSide&;
   static const FieldList<PairSide> fields{
-      {{"name", "", "what was given"}, [](S s) -> Tree { return s.name; }},
-      {{"volume", "curvature -1", "of the exterior"}, [](S s) -> Tree { return s.volume; }, is_side_found},
-      {{"isometry_signature", "", "of the exterior"},
+      {{"name", "", "what was given", type::text}, [](S s) -> Tree { return s.name; }},
+      {{"volume", "curvature -1", "of the exterior", type::number},
+       [](S s) -> Tree { return s.volume; },
+       is_side_found},
+      {{"isometry_signature", "", "of the exterior", type::text},
        [](S s) -> Tree { return s.isometry_signature; },
        is_side_found},
-      {{"exterior_group_order", "", "number of isometries of the exterior"},
+      {{"exterior_group_order", "", "number of isometries of the exterior", type::integer},
        [](S s) -> Tree { return s.exterior_group_order; },
        is_side_found},
-      {{"exterior_group", "", "their group; null: none of those known by name"},
+      {{"exterior_group", "", "their group; null: none of those known by name", type::or_null(type::text)},
        [](S s) { return name_or_null(s.exterior_group); },
        is_side_found},
-      {{"exterior_amphichiral", "", "whether one of them reverses orientation"},
+      {{"exterior_amphichiral", "", "whether one of them reverses orientation", type::truth},
        [](S s) -> Tree { return s.exterior_amphichiral; },
        is_side_found},
-      {{"group_order", "", "number of those that extend over what was drilled: the symmetry group"},
+      {{"group_order", "", "number of those that extend over what was drilled: the symmetry group",
+        type::integer},
        [](S s) -> Tree { return s.group_order; },
        is_side_found},
-      {{"group", "", "its name; null: none of those known"},
+      {{"group", "", "its name; null: none of those known", type::or_null(type::text)},
        [](S s) { return name_or_null(s.group); },
        is_side_found},
-      {{"amphichiral", "", "whether a symmetry reverses the orientation of space"},
+      {{"amphichiral", "", "whether a symmetry reverses the orientation of space", type::truth},
        [](S s) -> Tree { return s.amphichiral; },
        is_side_found}};
   return fields;
@@ -288,34 +291,36 @@ template <>
 const FieldList<PairComparison>& fields_of<PairComparison>() {
   using P = const PairComparison&;
   static const FieldList<PairComparison> fields{
-      {{"equivalent", "", "with --pair: true or false, both proved; null: undecided"},
+      {{"equivalent", "", "with --pair: true or false, both proved; null: undecided",
+        type::or_null(type::truth)},
        [](P p) { return p.verdict == Verdict::undecided ? Tree() : Tree(p.verdict == Verdict::yes); }},
-      {{"reason", "", "what decides, or what is missing"}, [](P p) -> Tree { return p.reason; }},
-      {{"proof", "", "which kind of proof; null: undecided"},
+      {{"reason", "", "what decides, or what is missing", type::text}, [](P p) -> Tree { return p.reason; }},
+      {{"proof", "", "which kind of proof; null: undecided", type::or_null(type::text)},
        [](P p) { return p.verdict == Verdict::undecided ? Tree() : Tree(to_string(p.proof)); }},
-      {{"exteriors_homeomorphic", "", "with --pair: true or false; null: undecided"},
+      {{"exteriors_homeomorphic", "", "with --pair: true or false; null: undecided",
+        type::or_null(type::truth)},
        [](P p) { return p.exteriors ? Tree(*p.exteriors) : Tree(); }},
-      {{"isometries", "", "with --pair: number of isometries between the exteriors"},
+      {{"isometries", "", "with --pair: number of isometries between the exteriors", type::integer},
        [](P p) -> Tree { return p.isometries; }},
-      {{"extending", "", "with --pair: how many of them extend over what was drilled"},
+      {{"extending", "", "with --pair: how many of them extend over what was drilled", type::integer},
        [](P p) -> Tree { return p.extending; }},
-      {{"keeps_orientation", "", "with --pair: whether one that extends keeps the orientation of space"},
+      {{"keeps_orientation", "", "with --pair: whether one that extends keeps the orientation of space",
+        type::truth},
        [](P p) -> Tree { return p.keeps_orientation; }},
-      {{"reverses_orientation", "", "with --pair: whether one that extends reverses it"},
+      {{"reverses_orientation", "", "with --pair: whether one that extends reverses it", type::truth},
        [](P p) -> Tree { return p.reverses_orientation; }},
       {{"x", "",
         "with --pair, of the first: volume, isometry_signature, exterior_group and group (name and order), "
-        "exterior_amphichiral and amphichiral, where its cells were found"},
+        "exterior_amphichiral and amphichiral, where its cells were found",
+        Type(schema_of(notes_of<PairSide>()))},
        [](P p) { return tree_of(p.x); }},
-      {{"y", "", "with --pair: the same of the second"}, [](P p) { return tree_of(p.y); }}};
+      {{"y", "", "with --pair: the same of the second", Type(schema_of(notes_of<PairSide>()))},
+       [](P p) { return tree_of(p.y); }}};
   return fields;
 }
 
 std::vector<FieldNote> notes_with_pairs() {
-  std::vector<FieldNote> notes = notes_of<Isometry>();
-  const std::vector<FieldNote> more = notes_of<PairComparison>();
-  notes.insert(notes.end(), more.begin(), more.end());
-  return each_once(notes);
+  return either_of(notes_of<Isometry>(), notes_of<PairComparison>());
 }
 
 } // namespace tetrarch::workshop

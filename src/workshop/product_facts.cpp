@@ -190,71 +190,90 @@ bool has_coordinates(Fibered f) {
 
 FieldList<FiberedSolid> floor_and_field_fields() {
   using F = Fibered;
-  return {{{"floor_found", "", "whether the floor's map was found within the budget"},
-           [](F f) -> Tree { return f.floor.found; }},
-          {{"floor_flipped", "", "triangles of the floor that its map turns over"},
-           [](F f) -> Tree { return f.floor.flipped; }},
-          {{"rectangle", "",
-            "the floor's image, of width 1: height, and each of its holes as [u, v, u, v], the lower left "
-            "and the "
-            "upper right corner"},
-           rectangle_tree,
-           [](F f) { return f.floor.height > 0; }},
-          {{"height", "", "of the domain above the unit disk, or above a rectangle of width 1"},
-           [](F f) -> Tree { return f.height; }},
-          {{"splits", "", "edges split because they were short cuts between vertices of one base"},
-           [](F f) -> Tree { return f.at.splits; }},
-          {{"flow", "", "of the field from ceiling to floor: its energy over the height"},
-           [](F f) -> Tree { return f.field.flow; }},
-          {{"residual", "", "the greatest flow left at a vertex, in terms of the whole flow"},
-           [](F f) -> Tree { return f.field.residual; }},
-          {{"iterations", "", "of conjugate gradients; 0: the equations were solved directly"},
-           [](F f) -> Tree { return f.field.iterations; }},
-          {{"negative_weights", "", "edges of negative cotangent weight, clamped or not"},
-           [](F f) -> Tree { return f.field.negative_weights; }},
-          {{"weights", "", "cotangent or clamped"},
-           [](F f) -> Tree { return f.clamped ? "clamped" : "cotangent"; }},
-          {{"critical", "",
-            "where the field has no direction: flat_tetrahedra, and vertices with the parts of their links "
-            "below (lower) and above (upper)"},
-           critical_tree}};
+  return {
+      {{"floor_found", "", "whether the floor's map was found within the budget", type::truth},
+       [](F f) -> Tree { return f.floor.found; }},
+      {{"floor_flipped", "", "triangles of the floor that its map turns over", type::integer},
+       [](F f) -> Tree { return f.floor.flipped; }},
+      {{"rectangle", "",
+        "the floor's image, of width 1: height, and each of its holes as [u, v, u, v], the lower left "
+        "and the "
+        "upper right corner",
+        type::object({{"height", type::number}, {"holes", type::list(type::list(type::number, 4))}})},
+       rectangle_tree,
+       [](F f) { return f.floor.height > 0; }},
+      {{"height", "", "of the domain above the unit disk, or above a rectangle of width 1", type::number},
+       [](F f) -> Tree { return f.height; }},
+      {{"splits", "", "edges split because they were short cuts between vertices of one base", type::integer},
+       [](F f) -> Tree { return f.at.splits; }},
+      {{"flow", "", "of the field from ceiling to floor: its energy over the height", type::number},
+       [](F f) -> Tree { return f.field.flow; }},
+      {{"residual", "", "the greatest flow left at a vertex, in terms of the whole flow", type::number},
+       [](F f) -> Tree { return f.field.residual; }},
+      {{"iterations", "", "of conjugate gradients; 0: the equations were solved directly", type::integer},
+       [](F f) -> Tree { return f.field.iterations; }},
+      {{"negative_weights", "", "edges of negative cotangent weight, clamped or not", type::integer},
+       [](F f) -> Tree { return f.field.negative_weights; }},
+      {{"weights", "", "cotangent or clamped", type::one_of({"cotangent", "clamped"})},
+       [](F f) -> Tree { return f.clamped ? "clamped" : "cotangent"; }},
+      {{"critical", "",
+        "where the field has no direction: flat_tetrahedra, and vertices with the parts of their links "
+        "below (lower) and above (upper)",
+        type::object({{"flat_tetrahedra", type::list(type::integer)},
+                      {"vertices", type::list(type::object({{"vertex", type::integer},
+                                                            {"at", type::list(type::number, 3)},
+                                                            {"lower", type::integer},
+                                                            {"upper", type::integer},
+                                                            {"on_wall", type::truth}}))}})},
+       critical_tree}};
 }
 
 FieldList<FiberedSolid> coordinates_fields() {
   using F = Fibered;
-  return {{{"stuck_fibers", "", "fibers that failed to reach the floor"},
+  return {{{"stuck_fibers", "", "fibers that failed to reach the floor", type::integer},
            [](F f) -> Tree { return f.coordinates->of.stuck.size(); },
            has_coordinates},
-          {{"stuck", "", "each of them: the vertex where it began, the point at which it ended, why"},
+          {{"stuck", "", "each of them: the vertex where it began, the point at which it ended, why",
+            type::list(type::object({{"vertex", type::integer},
+                                     {"at", type::list(type::number, 3)},
+                                     {"why", type::one_of({"too many steps", "no way on"})}}))},
            stuck_tree,
            has_coordinates},
-          {{"fibers_by_gradient", "", "fibers for which smoothed vectors led nowhere"},
+          {{"fibers_by_gradient", "", "fibers for which smoothed vectors led nowhere", type::integer},
            [](F f) -> Tree { return f.coordinates->of.by_gradient; },
            has_coordinates},
-          {{"flipped", "", "tetrahedra whose image in the domain has no positive volume"},
+          {{"flipped", "", "tetrahedra whose image in the domain has no positive volume", type::integer},
            [](F f) -> Tree { return f.coordinates->quality.flipped.size(); },
            has_coordinates},
-          {{"flipped_tetrahedra", "", "each of them: tetrahedron, numbered as in the files written, and at"},
+          {{"flipped_tetrahedra", "", "each of them: tetrahedron, numbered as in the files written, and at",
+            type::list(type::object({{"tetrahedron", type::integer}, {"at", type::list(type::number, 3)}}))},
            flipped_tree,
            has_coordinates},
-          {{"orthogonality_error", "cosine", "of w to u and v, the mean by volume; 0: right angles"},
+          {{"orthogonality_error", "cosine", "of w to u and v, the mean by volume; 0: right angles",
+            type::number},
            [](F f) -> Tree { return f.coordinates->quality.mean_orthogonality_error; },
            has_coordinates},
-          {{"max_orthogonality_error", "cosine", "the same, the greatest"},
+          {{"max_orthogonality_error", "cosine", "the same, the greatest", type::number},
            [](F f) -> Tree { return f.coordinates->quality.max_orthogonality_error; },
            has_coordinates},
-          {{"uv_error", "cosine", "of u to v, the mean by volume"},
+          {{"uv_error", "cosine", "of u to v, the mean by volume", type::number},
            [](F f) -> Tree { return f.coordinates->quality.mean_uv; },
            has_coordinates},
-          {{"max_uv_error", "cosine", "the same, the greatest"},
+          {{"max_uv_error", "cosine", "the same, the greatest", type::number},
            [](F f) -> Tree { return f.coordinates->quality.max_uv; },
            has_coordinates},
           {{"opposite_way", "mean edge",
             "how far from a vertex the way back from the floor ends: mean_distance, max_distance, "
-            "worst_vertex, farther_than_an_edge (vertices) and not_arrived (fibers)"},
+            "worst_vertex, farther_than_an_edge (vertices) and not_arrived (fibers)",
+            type::object({{"mean_distance", type::number},
+                          {"max_distance", type::number},
+                          {"worst_vertex", type::integer},
+                          {"farther_than_an_edge", type::integer},
+                          {"not_arrived", type::integer}})},
            confirmation_tree,
            has_coordinates},
-          {{"product", "", "whether the coordinates show a product: verdict (yes or undecided) and doubts"},
+          {{"product", "", "whether the coordinates show a product: verdict (yes or undecided) and doubts",
+            question_type()},
            [](F f) { return tree_of(product_of(f)); },
            has_coordinates}};
 }
@@ -287,12 +306,17 @@ format::MeshDocument document_of(const SolidProduct& found) {
 template <>
 const FieldList<SolidSides>& fields_of<SolidSides>() {
   static const FieldList<SolidSides> fields{
-      {{"holes", "", "of floor and ceiling: inner walls"},
+      {{"holes", "", "of floor and ceiling: inner walls", type::integer},
        [](Sides s) -> Tree { return s.holes(); },
        [](Sides s) { return s.is_divided(); }},
-      {{"tetrahedra", "", "of the solid, those of edges split by the search for a partition included"},
+      {{"tetrahedra", "", "of the solid, those of edges split by the search for a partition included",
+        type::integer},
        [](Sides s) -> Tree { return s.tetrahedra; }},
-      {{"partition", "", "how it was found; triangles of floor and ceiling, and of each of the walls"},
+      {{"partition", "", "how it was found; triangles of floor and ceiling, and of each of the walls",
+        type::object({{"how", type::text},
+                      {"floor", type::integer},
+                      {"ceiling", type::integer},
+                      {"walls", type::list(type::integer)}})},
        partition_tree,
        [](Sides s) { return s.is_divided(); }}};
   return fields;
@@ -310,8 +334,8 @@ const FieldList<FiberedSolid>& fields_of<FiberedSolid>() {
 
 template <>
 const FieldList<SolidProduct>& fields_of<SolidProduct>() {
-  static const FieldList<SolidProduct> fields{
-      {{"seconds", "seconds", "time taken"}, [](const SolidProduct& p) -> Tree { return p.seconds; }}};
+  static const FieldList<SolidProduct> fields{{{"seconds", "seconds", "time taken", type::number},
+                                               [](const SolidProduct& p) -> Tree { return p.seconds; }}};
   return fields;
 }
 
@@ -328,11 +352,10 @@ Tree tree_of<SolidProduct>(const SolidProduct& found) {
 
 template <>
 std::vector<FieldNote> notes_of<SolidProduct>() {
-  std::vector<FieldNote> notes = notes_of<SolidSides>();
-  for (const auto& part : {notes_of<FiberedSolid>(), notes_of<MeasuredHexahedra>()})
-    notes.insert(notes.end(), part.begin(), part.end());
-  notes.insert(notes.end(), fields_of<SolidProduct>().begin(), fields_of<SolidProduct>().end());
-  return notes;
+  std::vector<FieldNote> notes;
+  for (const auto& part : {notes_of<SolidSides>(), notes_of<FiberedSolid>(), notes_of<MeasuredHexahedra>()})
+    notes = both_of(std::move(notes), sometimes(part));
+  return both_of(std::move(notes), notes_of(fields_of<SolidProduct>()));
 }
 
 } // namespace tetrarch::workshop

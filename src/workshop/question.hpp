@@ -5,6 +5,7 @@
 
 #include "tetrarch/workshop/text.hpp"
 #include "tetrarch/workshop/tree.hpp"
+#include "tetrarch/workshop/type.hpp"
 
 #include <string>
 #include <utility>
@@ -21,6 +22,10 @@ struct Question {
 /// Verdict and doubts.
 inline Tree tree_of(const Question& question) {
   return {{"verdict", question.doubts.empty() ? "yes" : "undecided"}, {"doubts", question.doubts}};
+}
+
+inline Type question_type() {
+  return type::object({{"verdict", type::one_of({"yes", "undecided"})}, {"doubts", type::list(type::text)}});
 }
 
 inline std::pair<std::string, std::string> row_of(const Question& question) {

@@ -72,6 +72,33 @@ Tree tree_of(const reasons::Reason& reason) {
           {"surface", reason.surface ? tree_of_surface(*reason.surface) : Tree()}};
 }
 
+Type reason_type() {
+  const Type words = type::list(type::text);
+  const Type quotient = type::either(
+      type::object({{"degree", type::integer}, {"permutations", type::list(type::list(type::integer))}}),
+      type::object({{"homology_modulo", type::integer}}));
+  const Type group = type::object({{"triangulation", type::text},
+                                   {"presentation", type::text},
+                                   {"images", words},
+                                   {"shown", type::text},
+                                   {"generators", words},
+                                   {"elements", words},
+                                   {"exponents", type::list(type::integer, 2)},
+                                   {"finite_group", type::or_null(quotient)}});
+  const Type surface = type::object({{"triangulation", type::text},
+                                     {"coordinates", type::list(type::integer)},
+                                     {"euler", type::integer},
+                                     {"orientable", type::truth},
+                                     {"separating", type::truth},
+                                     {"sides", words}});
+  return type::object({{"kind", type::text},
+                       {"text", type::text},
+                       {"theorem", type::text},
+                       {"in_double_cover", type::truth},
+                       {"group", type::or_null(group)},
+                       {"surface", type::or_null(surface)}});
+}
+
 Rows rows_of(const reasons::Reason& reason) {
   Rows rows{{"reason", reason.text + (reason.in_double_cover ? ", in the orientable double cover" : "")}};
   if (reason.group) {

@@ -209,27 +209,33 @@ template <>
 const FieldList<SurfaceRegistration>& fields_of<SurfaceRegistration>() {
   using S = const SurfaceRegistration&;
   static const FieldList<SurfaceRegistration> fields{
-      {{"matching", "", "of each loop of the first surface, the loop of the second"},
+      {{"matching", "", "of each loop of the first surface, the loop of the second",
+        type::list(type::integer)},
        [](S s) -> Tree { return s.matching; }},
       {{"search", "",
         "how the matching was found: distance of the circles, tried (matchings that fit as well), "
-        "next_distance (null: there is no other); null: it was given"},
+        "next_distance (null: there is no other); null: it was given",
+        type::or_null(type::object({{"distance", type::number},
+                                    {"tried", type::integer},
+                                    {"next_distance", type::or_null(type::number)}}))},
        search_tree},
       {{"mean_quasiconformal", "",
         "ratio of the axes of the ellipse that a circle on the first surface becomes on the second: the mean "
-        "by area"},
+        "by area",
+        type::number},
        [](S s) -> Tree { return s.points.mean_quasi_conformal; }},
-      {{"max_quasiconformal", "", "the greatest of these ratios"},
+      {{"max_quasiconformal", "", "the greatest of these ratios", type::number},
        [](S s) -> Tree { return s.points.max_quasi_conformal; }},
-      {{"mean_distance", "", "of the surfaces in space, point by point: the mean by area"},
+      {{"mean_distance", "", "of the surfaces in space, point by point: the mean by area", type::number},
        [](S s) -> Tree { return s.points.mean_distance; }},
-      {{"max_distance", "", "the greatest of these distances"},
+      {{"max_distance", "", "the greatest of these distances", type::number},
        [](S s) -> Tree { return s.points.max_distance; }},
-      {{"flipped", "", "number of triangles inverted in the second surface's disk"},
+      {{"flipped", "", "number of triangles inverted in the second surface's disk", type::integer},
        [](S s) -> Tree { return s.points.flipped.size(); }},
-      {{"outside", "", "number of vertices whose place is beside that disk; the nearest one was taken"},
+      {{"outside", "", "number of vertices whose place is beside that disk; the nearest one was taken",
+        type::integer},
        [](S s) -> Tree { return s.points.outside; }},
-      {{"moved", "", "number of vertices moved so that fewer triangles are inverted"},
+      {{"moved", "", "number of vertices moved so that fewer triangles are inverted", type::integer},
        [](S s) -> Tree { return s.points.moved; }}};
   return fields;
 }

@@ -29,6 +29,11 @@ Tree histogram_tree(const product::HexQuality& quality) {
   return {{"from", -1}, {"step", 0.1}, {"counts", quality.histogram}};
 }
 
+Type histogram_type() {
+  return type::object(
+      {{"from", type::number}, {"step", type::number}, {"counts", type::list(type::integer)}});
+}
+
 /// "0.0: 3, 0.1: 5, 0.9: 112": bins that hold something, by their lower end.
 std::string histogram_text(const product::HexQuality& quality) {
   std::vector<std::string> bins;
@@ -160,52 +165,74 @@ template <>
 const FieldList<MeasuredHexahedra>& fields_of<MeasuredHexahedra>() {
   using M = Measured;
   static const FieldList<MeasuredHexahedra> fields{
-      {{"carried_by", "", "of a polycube: the map, in words, by which its cubes came into the solid"},
+      {{"carried_by", "", "of a polycube: the map, in words, by which its cubes came into the solid",
+        type::text},
        [](M m) -> Tree { return m.carried_by; },
        [](M m) { return !m.grid; }},
       {{"grid", "",
         "on the floor: columns, rows, cells, and how far from squares the cells are (mean_stretch, "
-        "max_stretch)"},
+        "max_stretch)",
+        type::object({{"columns", type::integer},
+                      {"rows", type::integer},
+                      {"cells", type::integer},
+                      {"mean_stretch", type::number},
+                      {"max_stretch", type::number}})},
        grid_tree,
        [](M m) { return m.grid.has_value(); }},
       {{"untangling", "",
         "inverted hexahedra and the least scaled Jacobian before and after; points of the surface that "
         "slide; "
-        "iterations"},
+        "iterations",
+        type::object({{"bad_before", type::integer},
+                      {"bad_after", type::integer},
+                      {"min_scaled_jacobian_before", type::number},
+                      {"min_scaled_jacobian_after", type::number},
+                      {"sliding", type::integer},
+                      {"iterations", type::integer}})},
        untangling_tree,
        [](M m) { return m.untangled.has_value(); }},
       {{"smoothing", "",
         "sweeps, points moved, and as it was before: the least scaled Jacobian, inverted hexahedra, "
-        "histogram"},
+        "histogram",
+        type::object({{"sweeps", type::integer},
+                      {"moved", type::integer},
+                      {"min_scaled_jacobian_before", type::number},
+                      {"bad_before", type::integer},
+                      {"histogram_before", histogram_type()}})},
        smoothing_tree,
        [](M m) { return m.smoothing.has_value(); }},
-      {{"hexahedra", "", "how many"}, [](M m) -> Tree { return m.of.mesh.hexahedra.size(); }},
-      {{"left_out", "", "hexahedra beside fibers that failed to arrive"},
+      {{"hexahedra", "", "how many", type::integer}, [](M m) -> Tree { return m.of.mesh.hexahedra.size(); }},
+      {{"left_out", "", "hexahedra beside fibers that failed to arrive", type::integer},
        [](M m) -> Tree { return m.of.left_out; }},
-      {{"volume", "cube of the mesh's unit", "of the hexahedra, of the solid, and their relative_error"},
+      {{"volume", "cube of the mesh's unit", "of the hexahedra, of the solid, and their relative_error",
+        type::object(
+            {{"hexahedra", type::number}, {"solid", type::number}, {"relative_error", type::number}})},
        volume_tree},
-      {{"min_scaled_jacobian", "", "the least of all hexahedra, in [-1, 1]"},
+      {{"min_scaled_jacobian", "", "the least of all hexahedra, in [-1, 1]", type::number},
        [](M m) -> Tree { return m.quality.minimum; }},
-      {{"mean_scaled_jacobian", "", "the mean over all hexahedra"},
+      {{"mean_scaled_jacobian", "", "the mean over all hexahedra", type::number},
        [](M m) -> Tree { return m.quality.mean; }},
-      {{"inverted", "", "hexahedra of scaled Jacobian 0 or less"},
+      {{"inverted", "", "hexahedra of scaled Jacobian 0 or less", type::integer},
        [](M m) -> Tree { return m.quality.bad.size(); }},
-      {{"below_0.2", "", "hexahedra of lesser scaled Jacobian"},
+      {{"below_0.2", "", "hexahedra of lesser scaled Jacobian", type::integer},
        [](M m) -> Tree { return count_below_good(m.quality); }},
-      {{"volume_ratio", "", "volume of the hexahedra over that of the solid"},
+      {{"volume_ratio", "", "volume of the hexahedra over that of the solid", type::number},
        [](M m) -> Tree { return m.volume / m.solid_volume; }},
-      {{"hausdorff", "diagonal of the box", "greatest distance between the surfaces, either way; sampled"},
+      {{"hausdorff", "diagonal of the box", "greatest distance between the surfaces, either way; sampled",
+        type::number},
        [](M m) -> Tree { return m.deviation.relative(); }},
-      {{"hausdorff_at", "", "the point where the distance is greatest"},
+      {{"hausdorff_at", "", "the point where the distance is greatest", type::list(type::number, 3)},
        [](M m) -> Tree { return m.deviation.at(); }},
       {{"histogram", "",
-        "hexahedra by their scaled Jacobian: counts of bins of width step, the first at from"},
+        "hexahedra by their scaled Jacobian: counts of bins of width step, the first at from",
+        histogram_type()},
        [](M m) { return histogram_tree(m.quality); }},
-      {{"bad", "", "the inverted ones: hexahedron, scaled_jacobian, at"},
+      {{"bad", "", "the inverted ones: hexahedron, scaled_jacobian, at", bad_hexahedra_type()},
        [](M m) { return tree_of(m.quality.bad); }},
-      {{"worst", "", "the ten of least scaled Jacobian, likewise"},
+      {{"worst", "", "the ten of least scaled Jacobian, likewise", bad_hexahedra_type()},
        [](M m) { return tree_of(m.quality.worst); }},
-      {{"filling", "", "whether they are a mesh of the solid: verdict (yes or undecided) and doubts"},
+      {{"filling", "", "whether they are a mesh of the solid: verdict (yes or undecided) and doubts",
+        question_type()},
        [](M m) { return tree_of(filling_of(m)); }}};
   return fields;
 }

@@ -78,11 +78,20 @@ const FieldList<Truncation>& fields_of<Truncation>() {
   static const FieldList<Truncation> fields{
       {{"boundary_map", "",
         "of each component of the input's boundary: input_component, type, triangles, and the vertex that is "
-        "truncated along it, as [tetrahedron, vertex]; null: it was filled in"},
+        "truncated along it, as [tetrahedron, vertex]; null: it was filled in",
+        type::list(type::object({{"input_component", type::integer},
+                                 {"type", type::text},
+                                 {"triangles", type::integer},
+                                 {"vertex", type::or_null(type::list(type::integer, 2))}}))},
        boundary_map_tree},
-      {{"finite_vertices", "", "number of vertices that are not to be truncated"},
+      {{"finite_vertices", "", "number of vertices that are not to be truncated", type::integer},
        [](T t) -> Tree { return t.finite_vertices; }},
-      {{"steps", "", "name, tetrahedra, vertices and edges after each step of the conversion"}, steps_tree},
+      {{"steps", "", "name, tetrahedra, vertices and edges after each step of the conversion",
+        type::list(type::object({{"name", type::text},
+                                 {"tetrahedra", type::integer},
+                                 {"vertices", type::integer},
+                                 {"edges", type::integer}}))},
+       steps_tree},
       run[0],
       run[1]};
   return fields;

@@ -58,39 +58,46 @@ template <>
 const FieldList<Report>& fields_of<Report>() {
   using R = const Report&;
   static const FieldList<Report> fields{
-      {{"accepted", "", "whether the certificate proves what it claims, but for what `unchecked` lists"},
+      {{"accepted", "", "whether the certificate proves what it claims, but for what `unchecked` lists",
+        type::truth},
        [](R r) -> Tree { return r.accepted; }},
-      {{"reason", "", "the first thing that is not proved"},
+      {{"reason", "", "the first thing that is not proved", type::text},
        [](R r) -> Tree { return r.why_not; },
        is_refused},
-      {{"tetrahedra", "", "number of tetrahedra"}, [](R r) -> Tree { return r.tetrahedra; }},
-      {{"edges", "", "number of edge classes"}, [](R r) -> Tree { return r.edges; }, is_accepted},
-      {{"cusps", "", "number of cusps"}, [](R r) -> Tree { return r.cusps; }, is_accepted},
-      {{"orientable", "", "whether the manifold is orientable"},
+      {{"tetrahedra", "", "number of tetrahedra", type::integer}, [](R r) -> Tree { return r.tetrahedra; }},
+      {{"edges", "", "number of edge classes", type::integer},
+       [](R r) -> Tree { return r.edges; },
+       is_accepted},
+      {{"cusps", "", "number of cusps", type::integer}, [](R r) -> Tree { return r.cusps; }, is_accepted},
+      {{"orientable", "", "whether the manifold is orientable", type::truth},
        [](R r) -> Tree { return r.orientable; },
        is_accepted},
-      {{"links", "", "Euler characteristics of the vertex links, increasing"},
+      {{"links", "", "Euler characteristics of the vertex links, increasing", type::list(type::integer)},
        [](R r) -> Tree { return r.links; },
        is_accepted},
-      {{"volume_interval", "curvature -1", "two decimal numbers, as texts, between which the volume lies"},
+      {{"volume_interval", "curvature -1", "two decimal numbers, as texts, between which the volume lies",
+        type::list(type::text, 2)},
        [](R r) -> Tree {
          return {r.volume[0], r.volume[1]};
        },
        is_accepted},
-      {{"walls", "", "of canonical cells: number of faces between two, each proved to be strictly convex"},
+      {{"walls", "", "of canonical cells: number of faces between two, each proved to be strictly convex",
+        type::integer},
        [](R r) -> Tree { return r.walls; },
        has_accepted_cells},
       {{"unchecked", "",
         "of canonical cells: by criterion, the number of faces inside them that are said to be flat, which "
         "is "
-        "not checked; empty: the cells are proved"},
+        "not checked; empty: the cells are proved",
+        type::table(type::integer)},
        unchecked,
        has_accepted_cells},
       {{"cusp_area", "",
-        "of canonical cells: the area of each cusp's cross-section, as a text; null: no cusps"},
+        "of canonical cells: the area of each cusp's cross-section, as a text; null: no cusps",
+        type::or_null(type::text)},
        [](R r) { return r.cusp_area.empty() ? Tree() : Tree(r.cusp_area); },
        has_accepted_cells},
-      {{"bits", "", "binary digits that the proof was found with; the check takes 128 more"},
+      {{"bits", "", "binary digits that the proof was found with; the check takes 128 more", type::integer},
        [](R r) -> Tree { return r.bits; }}};
   return fields;
 }

@@ -18,9 +18,12 @@ Tree tree_with_info(const Result& result) {
 
 template <class Result>
 std::vector<FieldNote> notes_with_info() {
-  std::vector<FieldNote> notes = notes_of<Info>();
-  notes.insert(notes.end(), fields_of<Result>().begin(), fields_of<Result>().end());
-  return notes;
+  return both_of(notes_of<Info>(), notes_of(fields_of<Result>()));
+}
+
+/// Of a presentation as they say it.
+inline Type group_type() {
+  return type::object({{"generators", type::list(type::text)}, {"relators", type::list(type::text)}});
 }
 
 } // namespace tetrarch::workshop

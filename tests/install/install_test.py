@@ -24,6 +24,7 @@ FOLDER = tempfile.TemporaryDirectory()
 WORK = pathlib.Path(FOLDER.name)
 PREFIX = WORK / "elsewhere"
 
+TYPES = "true or false|integer|number|text|a word|list|object|null"
 # Yin, section 4.2.3, and Frigerio-Martelli-Petronio 2004: two regular truncated tetrahedra of angle pi/6.
 KNOTTED_Y, VOLUME = "cPcbbbihq", "6.451990270835"
 
@@ -174,7 +175,8 @@ class Pages(unittest.TestCase):
                     self.assertRegex(text, rf"(^|[ ,]){re.escape(name)}\b", page)
                 self.assertIn(option["help"], text)
             for field in command.get("result", []):
-                self.assertRegex(text, rf"(?m)^ *{field['name']}\b")
+                unit = f", {field['unit']}" if field["unit"] else ""
+                self.assertRegex(text, rf"(?m)^ *{field['name']} \(({TYPES})( or ({TYPES}))*{re.escape(unit)}\)")
                 self.assertIn(field["meaning"][1:], text)
             self.assertEqual("result" in command, "\nRESULT\n" in text, page)
             self.assertIn(command["example"], text)

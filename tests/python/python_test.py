@@ -13,6 +13,7 @@ import json
 import math
 import os
 import pickle
+import re
 import shlex
 import signal
 import subprocess
@@ -104,9 +105,40 @@ class TheTables(unittest.TestCase):
         for command in self.described["commands"]:
             kind = tt.commands._result_class(command["name"])
             for field in command.get("result") or []:
+                if field["name"] in tt.Result.__annotations__:
+                    continue
                 listed += 1
                 self.assertIn(field["meaning"], getattr(kind, tt.commands.field_name(field)).__doc__)
         self.assertGreater(listed, 40)
+
+    def test_what_the_stubs_say_of_a_field_is_so(self):
+        """The annotations beside what calls give; those of the stubs, for at run time there are none."""
+        with open(os.path.join(SOURCE, "tools", "python", "tetrarch", "commands.pyi"), encoding="utf-8") as file:
+            stubs = file.read()
+        is_of = {"int": int, "float": float, "str": str, "bool": bool, "Record": tt.Record, "None": type(None)}
+
+        def fits(value, said):
+            if said.startswith(("Optional[", "Union[")):
+                inner = said.partition("[")[2][:-1]
+                return value is None if said[0] == "O" and value is None else any(fits(value, one) for one in (
+                    inner.split(", ") if said[0] == "U" else [inner]))
+            if said.startswith("List["):
+                return isinstance(value, list) and all(fits(item, said[5:-1]) for item in value)
+            if said.startswith("Literal["):
+                return '"%s"' % value in said[8:-1].split(", ")
+            return said == "Any" or type(value) is is_of[said]
+
+        told = set()
+        ring = os.path.join(SOURCE, "tests/data/mesh/ring_two_holes.off")
+        for found in (tt.info("m004"), tt.skeleton("m004"), tt.group("m004"), tt.hyperbolize("m004", certify=True), tt.canonize("m004"),
+                      tt.hyperbolize("cMcabbgqw", attempts=1), tt.isometric("m003", "m004"), tt.slit(ring), tt.check(ring),
+                      tt.exterior("4_1"), tt.census_list(tetrahedra=2), tt.census_show("fmp2_1"), tt.census_identify("m004")):
+            body = stubs.split("class %s(Result):\n" % type(found).__name__)[1].split("\ndef ")[0].split("\nclass ")[0]
+            for name, said in re.findall(r"def (\w+)\(self\) -> (.*): \.\.\.", body):
+                if name in found:
+                    self.assertTrue(fits(getattr(found, name), said), (type(found).__name__, name, said))
+                    told.add((type(found).__name__, name))
+        self.assertGreater(len(told), 100)
 
     def test_every_option_reaches_the_parser(self):
         plausible = {"INT": 3, "UINT": 3, "FLOAT": 0.5}

@@ -312,7 +312,3 @@ class Drill(InFolder):
             done = run("drill", "bkaagj", "--", word)
             self.assertEqual((done.returncode, done.stdout), (2, ""), word)
             self.assertIn("EDGES", done.stderr)
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -137,8 +137,8 @@ class Structures(InFolder):
         self.assertEqual(run("embed", "cPcbbbihq").stderr, "")
         # Yin, section 4.2.3.
         self.assertIn("6.451990270835", run("embed", solid).stdout)
-        # A solid torus has none.
-        done = run("view", "bkaaid", "-o", self.path("none.html"))
+        # One tetrahedron, closed, simply connected: the sphere has none.
+        done = run("view", "bkaagb", "-o", self.path("none.html"))
         self.assertEqual((done.returncode, done.stderr.count("\n")), (2, 1))
         self.assertIn("there is no structure to embed", done.stderr)
 

@@ -28,10 +28,11 @@ namespace {
 
 const std::string meshes = TETRARCH_SOURCE_DIR "/tests/data/mesh/";
 
-/// The laws of every list: names are unique words, meanings are there, and a result says nothing that the
-/// list does not name.
+/// The laws of every list: names are unique words, meanings and types are there, and a result says nothing
+/// that the list does not name, and all that is always there.
 template <class Result>
 void check_list(const Result& result) {
+  const Tree tree = tree_of(result);
   std::set<std::string> names;
   for (const FieldNote& note : notes_of<Result>()) {
     INFO(note.name);
@@ -39,6 +40,8 @@ void check_list(const Result& result) {
     CHECK(std::string(note.name).find_first_not_of("abcdefghijklmnopqrstuvwxyz_0123456789") ==
           std::string::npos);
     CHECK(std::string(note.meaning).size() > 4);
+    CHECK_FALSE(note.type.schema().empty());
+    if (note.always) CHECK_NOTHROW(tree[note.name]);
   }
   const std::size_t members = tree_of(result).size();
   Tree rest = tree_of(result);
@@ -109,6 +112,30 @@ TEST_CASE("a manifold is isometric to itself relabelled, and not to its sister",
   CHECK(no.verdict() == Verdict::proved_no);
   CHECK(tree_of(no)["proof"].text() == "homology");
   CHECK(text_of(no).find("Z + Z/5") != std::string::npos);
+}
+
+TEST_CASE("a type is the part of a schema that says it", "[workshop]") {
+  const Type pair = type::list(type::number, 2);
+  CHECK(pair.schema().dump() == R"({"type":"array","items":{"type":"number"},"minItems":2,"maxItems":2})");
+  const Type both = type::object({{"at", pair}, {"why", type::one_of({"a", "b"}), type::sometimes}});
+  CHECK(both.schema()["required"].dump() == R"(["at"])");
+  CHECK(both.schema()["properties"]["why"].dump() == R"({"type":"string","enum":["a","b"]})");
+  CHECK(both.schema()["additionalProperties"].dump() == "false");
+  CHECK(type::or_null(type::text).schema().dump() == R"({"anyOf":[{"type":"string"},{"type":"null"}]})");
+  CHECK(type::either(pair, pair).schema().dump() == pair.schema().dump());
+  CHECK(Type().schema().dump() == "{}");
+}
+
+TEST_CASE("what results of two kinds share is always there if it is in both", "[workshop]") {
+  const std::vector<FieldNote> one{{"a", "", "first", type::text}, {"b", "", "first", type::truth}};
+  const std::vector<FieldNote> other{{"b", "", "second", type::integer}, {"c", "", "second", type::text}};
+  const Tree schema = schema_of(either_of(one, other));
+  CHECK(schema["required"].dump() == R"(["b"])");
+  CHECK(schema["properties"].size() == 3);
+  CHECK(schema["properties"]["b"].dump() ==
+        R"({"description":"first","anyOf":[{"type":"boolean"},{"type":"integer"}]})");
+  CHECK(schema_of(sometimes(one))["required"].empty());
+  CHECK(schema_of(both_of(one, {}))["required"].size() == 2);
 }
 
 TEST_CASE("what has no field has no member", "[workshop]") {

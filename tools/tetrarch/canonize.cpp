@@ -27,7 +27,6 @@ struct CanonizeArguments {
 Result canonize(const CanonizeArguments& options, const Context& context) {
   const std::string& input = options.input;
   const std::string& output = options.output;
-  require_extension(output, ".json");
   workshop::CanonicalOptions how = options.how;
   how.seed = context.seed;
   const format::Document document = read_marked_triangulation(input, context);
@@ -111,9 +110,9 @@ Run declare_canonize(OptionTable& table) {
       .add("-o,--output", options->output,
            "write the canonical triangulation with its cells as JSON; to a name that ends in .cert.json, the "
            "certificate")
-      .output_file();
+      .output_file(with_extension(".json"));
   table.add("--isometries", options->how.list_isometries, "list all isometries (in JSON)");
-  table.add("--attempts", options->how.attempts, "greatest number of triangulations to try")
+  table.add("--attempts", options->how.attempts, "greatest number of triangulations to try; fewer of large ones")
       .in_range(1, 10'000'000)
       .with_default();
   return [options](const Context& context) { return canonize(*options, context); };

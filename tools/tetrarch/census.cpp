@@ -16,7 +16,6 @@
 #include "tetrarch/format/text.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <filesystem>
 #include <functional>
 #include <limits>
@@ -29,68 +28,6 @@ namespace tetrarch::program {
 namespace {
 
 using catalogue::Manifold;
-using catalogue::Validation;
-
-Json validation_json(const Validation& v, double seconds) {
-  Json j;
-  j["tetrahedra"] = v.tetrahedra;
-  j["rebuilt"] = v.rebuilt;
-  j["manifolds"] = v.manifolds;
-  j["distinct_volumes"] = v.volumes.size();
-  j["single_edge"] = v.single_edge;
-  j["cusped"] = v.cusped;
-  j["by_boundary"] = Json::object();
-  for (const auto& [boundary, n] : v.by_boundary) j["by_boundary"][boundary] = n;
-  j["volumes"] = Json::array();
-  for (const auto& volume : v.volumes)
-    j["volumes"].push_back({{"volume", volume.volume}, {"manifolds", volume.manifolds}});
-  j["gluings"] = v.tally.gluings;
-  j["geometric_gluings"] = v.tally.geometric;
-  j["max_angle_error"] = v.max_angle_error;
-  j["max_angle_error_flow"] = v.max_angle_error_flow;
-  j["max_volume_error"] = v.max_volume_error;
-  j["max_volume_error_flow"] = v.max_volume_error_flow;
-  j["failures"] = v.failures;
-  j["seconds"] = seconds;
-  return j;
-}
-
-std::string validation_text(const Validation& v, double seconds) {
-  std::string text =
-      "Census of " + std::to_string(v.tetrahedra) + (v.tetrahedra == 1 ? " tetrahedron\n" : " tetrahedra\n");
-  text += "\nRebuilt from nothing: " + counted(v.tally.gluings, "gluing") + ", " +
-          std::to_string(v.tally.geometric) + " geometric, " + counted(v.manifolds, "manifold") + "\n";
-  std::vector<std::pair<std::string, std::string>> rows;
-  for (const auto& [boundary, n] : v.by_boundary)
-    rows.emplace_back("  boundary " + boundary, counted(n, "manifold"));
-  rows.emplace_back("  one edge class", counted(v.single_edge, "manifold"));
-  rows.emplace_back("  with a cusp", counted(v.cusped, "manifold"));
-  rows.emplace_back("  the stored table",
-                    v.rebuilt ? "came out again, byte for byte" : "DID NOT come out again");
-  text += block(rows) + "\n" + counted(static_cast<long long>(v.volumes.size()), "volume") + ":\n";
-  rows.clear();
-  for (const auto& volume : v.volumes)
-    rows.emplace_back("  " + shortened(volume.volume), counted(volume.manifolds, "manifold"));
-  text += block(rows) + "\nSolved again from length 1, against the stored 30 digits:\n";
-  text += block({{"  Newton", "worst angle error " + scientific(v.max_angle_error, 1) +
-                                  ", worst volume error " + scientific(v.max_volume_error, 1)},
-                 {"  flow", "worst angle error " + scientific(v.max_angle_error_flow, 1) +
-                                ", worst volume error " + scientific(v.max_volume_error_flow, 1)}});
-  text += "\n";
-  for (const std::string& failure : v.failures) text += "FAILED  " + failure + "\n";
-  return text + (v.failures.empty() ? "Nothing failed. " : "") + fixed(seconds, 2) + " seconds\n";
-}
-
-Result run_validation(catalogue::TableKey key, const Context& context) {
-  const auto start = std::chrono::steady_clock::now();
-  const Validation v = catalogue::validate(key, context.threads, context.progress);
-  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  Result result;
-  result.json = validation_json(v, seconds);
-  result.text = validation_text(v, seconds);
-  if (!v.failures.empty()) result.status = Status::proved_no;
-  return result;
-}
 
 /// "2/4": the second of four.
 catalogue::Share share_in(const std::string& text) {
@@ -243,6 +180,41 @@ Result classification_result(const catalogue::Classification& found, catalogue::
 
 } // namespace
 
+namespace {
+
+fields::List summary_fields() {
+  namespace type = workshop::type;
+  const workshop::Type unsettled = type::list(type::object({{"signature", type::text}, {"why", type::text}}));
+  return {
+      {"manifolds", "", "with -o: number of manifolds", type::integer},
+      {"gluings", "", "number of gluings", type::integer},
+      {"geometric_gluings", "", "those of them that carry a structure", type::integer},
+      {"elsewhere", "", "those with a structure on another triangulation", type::integer},
+      {"none", "", "those that are proved to have none", type::integer},
+      {"flat", "", "manifolds with cells other than tetrahedra", type::integer},
+      {"certified", "", "number of structures certified", type::integer},
+      {"proved", "", "number of decompositions proved", type::integer},
+      {"widest", "curvature -1", "width of the widest interval around a volume", type::number},
+      {"arguments", "", "cells by the argument that proves them", type::table(type::integer)},
+      {"reasons", "", "gluings without a structure by the reason", type::table(type::integer)},
+      {"stuck", "", "structures left out for want of a canonical decomposition: signature, why", unsettled},
+      {"unproved", "", "structures without a proof of them or of their cells, likewise", unsettled},
+      {"open", "", "gluings without a structure and without a proof that there is none, likewise",
+       unsettled}};
+}
+
+} // namespace
+
+fields::List fields::of_census_enumerate() {
+  const List shard{{"missing_units", "", "of one of several shards: units of work left to others",
+                    workshop::type::integer}};
+  return workshop::either_of(of_census_merge(), shard);
+}
+
+fields::List fields::of_census_merge() {
+  return workshop::either_of(fields_of_manifold(), summary_fields());
+}
+
 Run declare_census_enumerate(OptionTable& table) {
   struct Options {
     TableChoice table;
@@ -331,12 +303,6 @@ Run declare_census_merge(OptionTable& table) {
                        " of work missing from these folders (census enumerate --resume does them)");
     return classification_result(found, options->table.key(), options->output);
   };
-}
-
-Run declare_census_validate(OptionTable& table) {
-  const auto choice = std::make_shared<TableChoice>();
-  add_table_choice(table, *choice, false);
-  return [choice](const Context& context) { return run_validation(choice->key(), context); };
 }
 
 } // namespace tetrarch::program

@@ -7,19 +7,26 @@
 #include "options.hpp"
 
 #include "tetrarch/catalogue/manifold.hpp"
+#include "tetrarch/workshop/fields.hpp"
 
 #include <string>
+#include <vector>
 
 namespace tetrarch::program {
 
 /// An entry as programs read it.
 Json manifold_json(const catalogue::Manifold& m);
 
+/// The members of that.
+std::vector<workshop::FieldNote> fields_of_manifold();
+
 /// A stored volume rounded to twelve decimals.
 std::string shortened(const std::string& volume);
 
 /// `--tetrahedra N`.
-void add_tetrahedra(OptionTable& table, int& tetrahedra, bool required);
+Option& add_tetrahedra(OptionTable& table, Target number);
+/// `--nonorientable`, for tables.
+void add_nonorientable(OptionTable& table, bool& wanted);
 
 /// Which table a command is about.
 struct TableChoice {

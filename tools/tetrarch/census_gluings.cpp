@@ -75,6 +75,12 @@ Result streamed(const enumeration::GluingOptions& gluings, const std::string& ou
 
 } // namespace
 
+fields::List fields::of_census_gluings() {
+  namespace type = workshop::type;
+  return {{"count", "", "number of gluings", type::integer},
+          {"signatures", "", "all of them; without -o", type::list(type::text), false}};
+}
+
 Run declare_census_gluings(OptionTable& table) {
   struct Options {
     enumeration::GluingOptions gluings;
@@ -84,7 +90,7 @@ Run declare_census_gluings(OptionTable& table) {
     std::string output;
   };
   const auto options = std::make_shared<Options>();
-  add_tetrahedra(table, options->gluings.tetrahedra, true);
+  add_tetrahedra(table, &options->gluings.tetrahedra).required();
   table.add("--orientable", options->orientable, "only orientable gluings");
   table.add("--nonorientable", options->nonorientable, "only non-orientable gluings")
       .excludes("--orientable");

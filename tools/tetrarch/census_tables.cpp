@@ -128,6 +128,12 @@ std::string words_of(const catalogue::Symmetry& symmetry) {
   return text;
 }
 
+/// Of a structure, beside what a table holds.
+bool is_wanted(const workshop::FieldNote& field) {
+  const std::string_view name = field.name;
+  return name == "certified" || name == "volume_interval" || name == "certificate" || name == "cusps";
+}
+
 /// What a table leaves out because it takes a few milliseconds: an interval for the volume, the shapes of the
 /// cusps, the digest of the certificate.
 void add_certified(Result& result, std::vector<std::pair<std::string, std::string>>& rows, const Manifold& m,
@@ -137,12 +143,9 @@ void add_certified(Result& result, std::vector<std::pair<std::string, std::strin
   how.certify = true;
   const workshop::Structure found = workshop::structure(from_signature(m.signature), how, progress);
   Json& told = result.json["structure"] = Json::object();
-  for (const auto& field : workshop::fields_of<workshop::Structure>()) {
-    const std::string_view name = field.name;
-    const bool is_wanted =
-        name == "certified" || name == "volume_interval" || name == "certificate" || name == "cusps";
-    if (is_wanted && (field.present == nullptr || field.present(found))) told[name] = field.value(found);
-  }
+  for (const auto& field : workshop::fields_of<workshop::Structure>())
+    if (is_wanted(field) && (field.present == nullptr || field.present(found)))
+      told[field.name] = field.value(found);
   for (const auto& row : rows_of(found))
     if (row.first == "volume in" || row.first == "certificate" || row.first.starts_with("cusp "))
       rows.push_back(row);
@@ -166,34 +169,66 @@ Json manifold_json(const Manifold& m) {
   return j;
 }
 
+std::vector<workshop::FieldNote> fields_of_manifold() {
+  namespace type = workshop::type;
+  return {
+      {"name", "", "in its table; null: none", type::or_null(type::text)},
+      {"tetrahedra", "", "number of tetrahedra", type::integer},
+      {"orientable", "", "false; absent where it is orientable", type::truth, false},
+      {"signature", "", "isomorphism signature of a geometric gluing", type::text},
+      {"volume", "curvature -1", "to 30 digits, as a text", type::text},
+      {"boundary", "", "genera of the geodesic boundary components, decreasing; -k for k crosscaps",
+       type::list(type::integer)},
+      {"cusps", "", "number of cusps", type::integer},
+      {"klein_cusps", "", "those of them that are Klein bottles; absent: none", type::integer, false},
+      {"edges", "", "number of edge classes of the gluing", type::integer},
+      {"homology", "", "first homology", type::text},
+      {"cells", "", "those of the canonical decomposition, by their names", type::list(type::text)},
+      {"canonical_signature", "", "a text that two manifolds share if and only if they are isometric",
+       type::text},
+      {"symmetries", "", "number of isometries of the manifold to itself", type::integer},
+      {"dihedral_angles", "radians",
+       "of each tetrahedron, at its edges 01, 02, 03, 12, 13, 23, to 30 digits, as texts; absent from brief "
+       "tables",
+       type::list(type::list(type::text, 6)), false}};
+}
+
 /// A stored volume rounded to twelve decimals.
 std::string shortened(const std::string& volume) {
   constexpr int decimals = 12;
   return fixed(format::parse_double(volume).value_or(0), decimals);
 }
 
-namespace {
-const std::string tetrahedra_help = "number of tetrahedra";
-const std::string nonorientable_help =
-    "the manifolds that are not orientable, which have a table of their own";
-} // namespace
+Option& add_tetrahedra(OptionTable& table, Target number) {
+  return table.add("--tetrahedra", number, "number of tetrahedra")
+      .in_range(1, enumeration::max_gluing_tetrahedra);
+}
 
-void add_tetrahedra(OptionTable& table, int& tetrahedra, bool required) {
-  Option& option =
-      table.add("--tetrahedra", tetrahedra, tetrahedra_help).in_range(1, enumeration::max_gluing_tetrahedra);
-  if (required)
-    option.required();
-  else
-    option.with_default();
+void add_nonorientable(OptionTable& table, bool& wanted) {
+  table.add("--nonorientable", wanted,
+            "the manifolds that are not orientable, which have a table of their own");
 }
 
 void add_table_choice(OptionTable& table, TableChoice& choice, bool required) {
-  add_tetrahedra(table, choice.tetrahedra, required);
-  table.add("--nonorientable", choice.nonorientable, nonorientable_help);
+  Option& tetrahedra = add_tetrahedra(table, &choice.tetrahedra);
+  if (required)
+    tetrahedra.required();
+  else
+    tetrahedra.with_default();
+  add_nonorientable(table, choice.nonorientable);
 }
 
 std::vector<Manifold> read_table_file(const std::string& path) {
   return catalogue::read_table(format::unpacked(format::read_file(path), path), path);
+}
+
+fields::List fields::of_census_list() {
+  namespace type = workshop::type;
+  return {
+      {"tetrahedra", "", "of the table asked; null: of all sizes in a file", type::or_null(type::integer)},
+      {"count", "", "number of manifolds", type::integer},
+      {"manifolds", "", "the entries, as census show has them; without --count",
+       type::list(workshop::Type(workshop::schema_of(fields_of_manifold()))), false}};
 }
 
 Run declare_census_list(OptionTable& table) {
@@ -208,8 +243,8 @@ Run declare_census_list(OptionTable& table) {
     bool count = false;
   };
   const auto o = std::make_shared<Options>();
-  table.add("--tetrahedra", o->tetrahedra, tetrahedra_help).in_range(1, enumeration::max_gluing_tetrahedra);
-  table.add("--nonorientable", o->nonorientable, nonorientable_help);
+  add_tetrahedra(table, &o->tetrahedra);
+  add_nonorientable(table, o->nonorientable);
   add_table(table, o->table);
   table
       .add("--boundary", o->boundary,
@@ -253,6 +288,19 @@ Run declare_census_list(OptionTable& table) {
   };
 }
 
+fields::List fields::of_census_show() {
+  namespace type = workshop::type;
+  List proved = workshop::sometimes(workshop::notes_of<workshop::Structure>());
+  std::erase_if(proved, [](const workshop::FieldNote& note) { return !is_wanted(note); });
+  return workshop::both_of(
+      fields_of_manifold(),
+      {{"isometry_group", "", "its name; null: none of those known", type::or_null(type::text)},
+       {"amphichiral", "", "whether an isometry reverses orientation; null: there is no orientation",
+        type::or_null(type::truth)},
+       {"structure", "", "as hyperbolize --certify has it: certified, volume_interval, certificate and cusps",
+        workshop::Type(workshop::schema_of(proved))}});
+}
+
 Run declare_census_show(OptionTable& table) {
   struct Options {
     std::string name;
@@ -288,6 +336,12 @@ Run declare_census_show(OptionTable& table) {
     result.value = std::make_shared<Value>(format::document_of(from_signature(m.signature), m.name));
     return result;
   };
+}
+
+fields::List fields::of_census_table() {
+  namespace type = workshop::type;
+  return {{"manifolds", "", "number of manifolds", type::integer},
+          {"output", "", "the file written", type::text}};
 }
 
 Run declare_census_table(OptionTable& table) {

@@ -97,6 +97,25 @@ struct Command {
   std::vector<workshop::FieldNote> (*fields)() = nullptr;
 };
 
+/// The fields of those results that the program itself makes, each listed beside what makes it.
+namespace fields {
+using List = std::vector<workshop::FieldNote>;
+List of_skeleton();
+List of_group();
+List of_convert();
+List of_move();
+List of_subdivide();
+List of_drill();
+List of_view();
+List of_census_gluings();
+List of_census_enumerate();
+List of_census_merge();
+List of_census_validate();
+List of_census_list();
+List of_census_show();
+List of_census_table();
+} // namespace fields
+
 /// All commands, in the order of the help page.
 const std::vector<Command>& commands();
 

@@ -160,6 +160,16 @@ Result convert(const ConvertArguments& options, const Context& context) {
 
 } // namespace
 
+fields::List fields::of_convert() {
+  namespace type = workshop::type;
+  return {{"output", "", "the file written; without one, the file's content is printed in place of this",
+           type::text},
+          {"format", "", "its format", type::text},
+          {"tetrahedra", "", "number of tetrahedra", type::integer},
+          {"triangles", "", "of a mesh: number of triangles", type::integer, false},
+          {"warnings", "", "a sentence each, as on standard error", type::list(type::text)}};
+}
+
 Run declare_convert(OptionTable& table) {
   const auto options = std::make_shared<ConvertArguments>();
   table.add("X", options->input, "a triangulation or a mesh; a mesh can become a mesh of another format")

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "describe.hpp"
 
-#include "finish.hpp"
 #include "parse.hpp"
+#include "schema.hpp"
 #include "text.hpp"
 
 #include "tetrarch/core/error.hpp"
@@ -61,7 +61,17 @@ Json argument_json(const Option& option) {
 }
 
 Json field_json(const workshop::FieldNote& field) {
-  return {{"name", field.name}, {"unit", field.unit}, {"meaning", field.meaning}};
+  return {{"name", field.name},
+          {"unit", field.unit},
+          {"meaning", field.meaning},
+          {"always", field.always},
+          {"schema", field.type.schema()}};
+}
+
+Json fields_json(const std::vector<workshop::FieldNote>& fields) {
+  Json list = Json::array();
+  for (const workshop::FieldNote& field : fields) list.push_back(field_json(field));
+  return list;
 }
 
 Json command_json(const Declared& declared, const std::string& program) {
@@ -75,8 +85,7 @@ Json command_json(const Declared& declared, const std::string& program) {
     else if (option.group != common_group)
       json["options"].push_back(option_json(option));
   }
-  if (command.fields != nullptr)
-    for (const workshop::FieldNote& field : command.fields()) json["result"].push_back(field_json(field));
+  if (command.fields != nullptr) json["result"] = fields_json(command.fields());
   return json;
 }
 
@@ -103,11 +112,28 @@ Json exit_statuses() {
   return list;
 }
 
-Result help(const Context& context, const std::vector<std::string>& words) {
+Result schema(const std::vector<Command>& table, const Named& found) {
+  if (found.command == nullptr && !found.name.empty())
+    throw InputError("'" + found.name + "' is a group of commands (expected one of them)", Cause::option);
+  Result result;
+  result.json = found.command == nullptr ? schemas_of(table) : schema_of(*found.command);
+  result.text = result.json.dump(2) + "\n";
+  result.is_file = true;
+  return result;
+}
+
+struct HelpArguments {
+  std::vector<std::string> words;
+  bool schema = false;
+};
+
+Result help(const Context& context, const HelpArguments& options) {
   const std::vector<Command>& table = *context.commands;
+  const std::vector<std::string>& words = options.words;
   const Named found = named_command(table, words);
   if (found.words < words.size())
     throw InputError("unknown command '" + found.name + " " + words[found.words] + "'", Cause::option);
+  if (options.schema) return schema(table, found);
   Result result;
   result.text = found.command == nullptr ? overview(table, found.name, context.program)
                                          : help_page(*found.command, context.program);
@@ -201,7 +227,7 @@ Json describe(const std::vector<Command>& table, const std::string& program) {
             {"summary", summary},
             {"commands", Json::array()},
             {"common", common_json()},
-            {"common_result", Json(std::vector<Json>{field_json(passed_over_note)})},
+            {"common_result", fields_json(common_notes())},
             {"exit_status", exit_statuses()}};
   for (const Declared& command : declared(table)) json["commands"].push_back(command_json(command, start));
   return json;
@@ -212,9 +238,12 @@ std::vector<std::string> first_words(const std::vector<Command>& table) {
 }
 
 Run declare_help(OptionTable& table) {
-  const auto words = std::make_shared<std::vector<std::string>>();
-  table.add("COMMAND", *words, "the command to explain (default: list all commands)");
-  return [words](const Context& context) { return help(context, *words); };
+  const auto options = std::make_shared<HelpArguments>();
+  table.add("COMMAND", options->words, "the command to explain (default: list all commands)");
+  table.add("--schema", options->schema,
+            "print the JSON Schema of what the command prints with --json (default: those of all commands, "
+            "and of errors)");
+  return [options](const Context& context) { return help(context, *options); };
 }
 
 } // namespace tetrarch::program

@@ -38,8 +38,8 @@ void declare_common(OptionTable& table, Common& common);
 std::string overview(const std::vector<Command>& table, const std::string& name, const std::string& program);
 
 /// {"program", "version", "summary", "commands": [{"name", "group", "summary", "example", "arguments",
-/// "options"}], "common": the options that every command has, "exit_status"}. Examples begin
-/// with `program`, which is empty in a session.
+/// "options", "result": the fields of what --json prints}], "common": the options that every command has,
+/// "common_result", "exit_status"}. Examples begin with `program`, which is empty in a session.
 Json describe(const std::vector<Command>& table, const std::string& program);
 
 /// "info", "census": what a command line can begin with.

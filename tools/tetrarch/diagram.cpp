@@ -61,7 +61,6 @@ void set_orders(diagram::MarkedDiagram& marked, const std::vector<std::string>& 
 }
 
 Result exterior(const ExteriorOptions& options, const Context& context) {
-  if (!options.output.empty()) output_format(options.output);
   diagram::MarkedDiagram diagram = options.drilled ? all_drilled(read_diagram(options.input, context))
                                                    : read_marked_diagram(options.input, context);
   if (options.mirror) diagram.diagram = mirrored(diagram.diagram);
@@ -134,7 +133,7 @@ Run declare_exterior(OptionTable& table) {
       "--double", options->doubled,
       "two copies, glued along the spheres round the vertices: its structure is twice the parabolic one");
   table.add("-o,--output", options->output, "the file to write (its extension names the format)")
-      .output_file();
+      .output_file(require_triangulation);
   return [options](const Context& context) { return exterior(*options, context); };
 }
 

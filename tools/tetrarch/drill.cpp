@@ -34,7 +34,6 @@ Json meridians_json(const moves::CutOut& made) {
 }
 
 Result drill(const DrillArguments& options, const Context& context) {
-  if (!options.output.empty()) output_format(options.output);
   const format::Document document = read_triangulation(options.input, context);
   require_manifolds(document.triangulation, options.input);
   const Skeleton skeleton(document.triangulation);
@@ -77,6 +76,19 @@ Result drill(const DrillArguments& options, const Context& context) {
 
 } // namespace
 
+fields::List fields::of_drill() {
+  namespace type = workshop::type;
+  const workshop::Type path = type::list(type::list(type::integer, 3));
+  return workshop::both_of(
+      workshop::notes_of<workshop::Info>(),
+      {{"drilled", "", "numbers of the edges, as given", type::list(type::integer)},
+       {"filled_spheres", "", "spheres round drilled trees that were filled in again", type::integer},
+       {"meridians", "",
+        "with --cut, of each edge a path round it: tetrahedron, and the vertices from and to; null: without",
+        type::or_null(type::list(path))},
+       {"input_tetrahedra", "", "number of tetrahedra of the input", type::integer}});
+}
+
 Run declare_drill(OptionTable& table) {
   const auto options = std::make_shared<DrillArguments>();
   table.add("X", options->input, "a triangulation or a mesh").required();
@@ -87,7 +99,7 @@ Run declare_drill(OptionTable& table) {
   table.add("--cut", options->cut,
             "cut the edges out and leave real boundary, unsimplified, with a meridian of each edge");
   table.add("-o,--output", options->output, "the file to write (its extension names the format)")
-      .output_file();
+      .output_file(require_triangulation);
   return [options](const Context& context) { return drill(*options, context); };
 }
 

@@ -27,7 +27,7 @@ void tell_reads(Result& result, const Reads& reads) {
   if (!reads.any) return;
   if (!reads.passed_over.empty())
     result.warnings.insert(result.warnings.begin(), reads.passed_over.sentence());
-  if (result.json.is_object()) result.json[passed_over_note.name] = ledger_json(reads.passed_over);
+  if (result.json.is_object()) result.json["passed_over"] = ledger_json(reads.passed_over);
 }
 
 } // namespace

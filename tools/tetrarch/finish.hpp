@@ -5,17 +5,11 @@
 
 #include "command.hpp"
 
-#include "tetrarch/workshop/fields.hpp"
-
 #include <filesystem>
 #include <set>
 #include <vector>
 
 namespace tetrarch::program {
-
-/// The one member that every object of --json may have.
-inline constexpr workshop::FieldNote passed_over_note{
-    "passed_over", "", "where something was read: what was passed over, a list of objects what, count"};
 
 /// Adds what was passed over by those who read for it. A result that holds a number that is none is
 /// undecided.

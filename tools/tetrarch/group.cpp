@@ -47,7 +47,6 @@ std::vector<std::pair<std::string, std::string>> rows_of(const Json& group) {
 
 Result describe_groups(const std::string& input, bool as_given, const std::string& output,
                        const Context& context) {
-  require_extension(output, ".json");
   std::vector<LocatedGroup> groups = read_groups(input, context, as_given);
   if (groups.size() > 1 && !output.empty())
     throw InputError({input, 0}, "there are " + std::to_string(groups.size()) +
@@ -71,13 +70,30 @@ Result describe_groups(const std::string& input, bool as_given, const std::strin
 
 } // namespace
 
+fields::List fields::of_group() {
+  namespace type = workshop::type;
+  List one{{"presentation", "", "the group, as it is read", type::text},
+           {"generators", "", "their letters", type::list(type::text)},
+           {"relators", "", "words in them", type::list(type::text)},
+           {"abelianized", "", "first homology", type::text},
+           {"generator_faces", "",
+            "of each generator of a triangulation's group: generator, and the tetrahedron and face that it "
+            "crosses",
+            type::list(type::object(
+                {{"generator", type::text}, {"tetrahedron", type::integer}, {"face", type::integer}}))}};
+  const workshop::FieldNote components{"components", "",
+                                       "in place of all that, where there are several: the same of each",
+                                       type::list(workshop::Type(workshop::schema_of(one))), false};
+  return workshop::both_of(workshop::sometimes(std::move(one)), {components});
+}
+
 Run declare_group(OptionTable& table) {
   const auto input = std::make_shared<std::string>();
   const auto as_given = std::make_shared<bool>(false);
   const auto output = std::make_shared<std::string>();
   table.add("X", *input, "a triangulation or a mesh, or a presentation such as '< a, b | abAB >'").required();
   table.add("--as-given", *as_given, "print the presentation without simplification");
-  table.add("-o,--output", *output, "write the presentation as JSON").output_file();
+  table.add("-o,--output", *output, "write the presentation as JSON").output_file(with_extension(".json"));
   return [input, as_given, output](const Context& context) {
     return describe_groups(*input, *as_given, *output, context);
   };

@@ -138,7 +138,7 @@ Run declare_hyperbolize(OptionTable& table) {
   table.add("--cone", options->cones, "an edge and n, for the cone angle 2 pi / n around it: 5:3, 2:01:2.5")
       .value_name("EDGE:N");
   table.add("--as-given", options->as_given, "solve on the given triangulation and on no other");
-  table.add("--attempts", options->attempts, "greatest number of triangulations to try")
+  table.add("--attempts", options->attempts, "greatest number of triangulations to try; fewer of large ones")
       .in_range(1, 10'000'000)
       .with_default();
   return [options](const Context& context) {

@@ -83,7 +83,6 @@ Triangulation subdivided(Triangulation tri, const SubdivideOptions& options, con
 }
 
 Result subdivide(const SubdivideOptions& options, const Context& context) {
-  if (!options.output.empty()) output_format(options.output);
   format::Document document = read_triangulation(options.input, context);
   const int before = document.triangulation.size();
   Triangulation tri = subdivided(std::move(document.triangulation), options, context);
@@ -111,7 +110,7 @@ Result subdivide(const SubdivideOptions& options, const Context& context) {
 Run declare_census_identify(OptionTable& table) {
   const auto options = std::make_shared<IdentifyOptions>();
   table.add("X", options->input, "a triangulation or a mesh").required();
-  table.add("--attempts", options->attempts, "greatest number of triangulations to try")
+  table.add("--attempts", options->attempts, "greatest number of triangulations to try; fewer of large ones")
       .in_range(1, 1'000'000)
       .with_default();
   table
@@ -120,6 +119,17 @@ Run declare_census_identify(OptionTable& table) {
            "wrote")
       .value_name("FILE");
   return [options](const Context& context) { return identify(*options, context); };
+}
+
+fields::List fields::of_subdivide() {
+  namespace type = workshop::type;
+  return {{"input_tetrahedra", "", "number of tetrahedra of the input", type::integer},
+          {"tetrahedra", "", "number of tetrahedra", type::integer},
+          {"faces", "", "number of face classes", type::integer},
+          {"edges", "", "number of edge classes", type::integer},
+          {"vertices", "", "number of vertex classes", type::integer},
+          {"boundary_faces", "", "those of the faces that lie on the real boundary", type::integer},
+          {"output", "", "the file written; null: none", type::or_null(type::text)}};
 }
 
 Run declare_subdivide(OptionTable& table) {
@@ -133,7 +143,7 @@ Run declare_subdivide(OptionTable& table) {
       .in_range(0, 5);
   table.add("--one-four", options->one_four, "finally divide each tetrahedron into 4");
   table.add("-o,--output", options->output, "the file to write (its extension names the format)")
-      .output_file();
+      .output_file(require_triangulation);
   return [options](const Context& context) { return subdivide(*options, context); };
 }
 

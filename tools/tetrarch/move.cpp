@@ -221,7 +221,6 @@ Result list_moves(const format::Document& document, const MoveArguments& options
 /// Makes the moves. Of those that were typed each numbers the tetrahedra anew, as `info` shows them; those of
 /// a log keep their slots.
 Result make_moves(const MoveArguments& options, const Context& context) {
-  if (!options.output.empty()) output_format(options.output);
   require_known(options.words);
   format::Document document = read_triangulation(options.input, context);
   if (options.list) return list_moves(document, options, context);
@@ -255,6 +254,16 @@ Result make_moves(const MoveArguments& options, const Context& context) {
 
 } // namespace
 
+fields::List fields::of_move() {
+  namespace type = workshop::type;
+  return workshop::both_of(workshop::sometimes(workshop::notes_of<workshop::Info>()),
+                           {{"moves", "", "how many were made; with --list, those that are legal",
+                             type::either(type::integer, type::list(type::text)), false},
+                            {"complete", "", "with --list: whether all are listed", type::truth, false},
+                            {"move", "", "the illegal one, for which none was made", type::text, false},
+                            {"obstacle", "", "why it is illegal", type::text, false}});
+}
+
 Run declare_move(OptionTable& table) {
   const auto options = std::make_shared<MoveArguments>();
   table.add("X", options->input, "a triangulation or a mesh").required();
@@ -265,7 +274,7 @@ Run declare_move(OptionTable& table) {
   table.add("--log", options->log, "make the moves in this file, as simplify --moves writes them")
       .value_name("FILE");
   table.add("-o,--output", options->output, "the file to write (its extension names the format)")
-      .output_file();
+      .output_file(require_triangulation);
   return [options](const Context& context) {
     if (options->words.empty() == options->log.empty() && !options->list)
       throw InputError("expected moves, or a file of moves (--log FILE)");

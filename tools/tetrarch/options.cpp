@@ -70,8 +70,9 @@ Option& Option::value_name(std::string name) {
   return *this;
 }
 
-Option& Option::output_file() {
+Option& Option::output_file(std::function<void(const std::string&)> require) {
   is_output = true;
+  require_name = std::move(require);
   return value_name("FILE");
 }
 

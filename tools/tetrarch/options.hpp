@@ -13,6 +13,7 @@
 
 #include <cstdint>
 #include <deque>
+#include <functional>
 #include <initializer_list>
 #include <optional>
 #include <string>
@@ -48,13 +49,14 @@ struct Option {
   std::string implied;  ///< the value where none follows that is a number; empty: one must follow
   bool is_required = false;
   bool is_output = false; ///< a file that is written, or several: the parser tries whether that can be
+  std::function<void(const std::string&)> require_name; ///< asked of such a file; throws what is wrong
   bool shows_default = false;
 
   Option& required(bool yes = true);
   Option& with_default();
   Option& value_name(std::string name);
-  /// Its value is a file to write.
-  Option& output_file();
+  /// Its value is a file to write, whose name passes `require`, which throws InputError otherwise.
+  Option& output_file(std::function<void(const std::string&)> require = {});
   Option& one_of(std::initializer_list<const char*> allowed);
   Option& in_range(double least, double most);
   Option& not_negative();

@@ -6,10 +6,16 @@
 
 namespace tetrarch::program {
 
-void require_extension(const std::string& path, const std::string& extension) {
-  if (!path.empty() && !format::has_extension(path, extension))
-    throw InputError({path, 0},
-                     "this command writes no file with this extension (expected " + extension + ")");
+std::function<void(const std::string&)> with_extension(const std::string& extension) {
+  return [extension](const std::string& path) {
+    if (!format::has_extension(path, extension))
+      throw InputError({path, 0},
+                       "this command writes no file with this extension (expected " + extension + ")");
+  };
+}
+
+void require_triangulation(const std::string& path) {
+  output_format(path);
 }
 
 format::FileFormat output_format(const std::string& path) {

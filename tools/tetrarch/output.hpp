@@ -9,13 +9,17 @@
 #include "tetrarch/format/mesh_files.hpp"
 #include "tetrarch/format/read.hpp"
 
+#include <functional>
 #include <string>
 
 namespace tetrarch::program {
 
-/// For a command that writes one format alone: throws InputError unless the file has its extension, ".json".
-/// (That files can be written is asked by the parser.) An empty path is none.
-void require_extension(const std::string& path, const std::string& extension);
+/// For `Option::output_file`, of a command that writes one format alone: refuses files without its extension,
+/// ".json".
+std::function<void(const std::string&)> with_extension(const std::string& extension);
+
+/// For `Option::output_file`: refuses files whose extension names no format of triangulations.
+void require_triangulation(const std::string& path);
 
 /// The format that the extension of an output file names. Throws InputError that lists what is known.
 format::FileFormat output_format(const std::string& path);

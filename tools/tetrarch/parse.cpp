@@ -34,12 +34,14 @@ void check_range(CLI::Option& made, const Option& option) {
 }
 
 /// Tries the files that a command is to write, before the job rather than after it.
-void require_writable_outputs(const OptionTable& options) {
-  const auto require = [](const std::string& path) {
-    if (!path.empty()) format::require_writable(path);
-  };
+void require_good_outputs(const OptionTable& options) {
   for (const Option& option : options.options()) {
     if (!option.is_output) continue;
+    const auto require = [&option](const std::string& path) {
+      if (path.empty()) return;
+      format::require_writable(path);
+      if (option.require_name) option.require_name(path);
+    };
     if (const auto* const path = std::get_if<std::string*>(&option.target)) require(**path);
     if (const auto* const paths = std::get_if<std::vector<std::string>*>(&option.target))
       for (const std::string& path : **paths) require(path);
@@ -192,7 +194,7 @@ Parsed parse(const std::vector<std::string>& words, const std::vector<Command>& 
   const auto run = [line, program, &table](Context context) {
     context.commands = &table;
     context.program = program;
-    require_writable_outputs(line->options);
+    require_good_outputs(line->options);
     return line->run(context);
   };
   return {Job{line->common, run}, {}};

@@ -25,7 +25,7 @@ struct ConversionArguments {
 
 void declare_shared(OptionTable& table, ConversionArguments& options, workshop::MoveOptions& how) {
   table.add("-o,--output", options.output, "the file to write (its extension names the format)")
-      .output_file();
+      .output_file(require_triangulation);
   table.add("--moves", options.log, "write a log of all moves to this file, one per line").output_file();
   declare_doctor(table, options.doctor);
   table.add("--audit", how.audit,
@@ -35,7 +35,6 @@ void declare_shared(OptionTable& table, ConversionArguments& options, workshop::
 /// The triangulation, and `how` with what the session and the file add.
 format::Document prepare(const ConversionArguments& options, workshop::MoveOptions& how,
                          const Context& context) {
-  if (!options.output.empty()) output_format(options.output);
   format::Document document = read_triangulation(options.input, context, options.doctor);
   require_manifolds(document.triangulation, options.input);
   how.name = document.name;

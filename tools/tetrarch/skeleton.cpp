@@ -103,6 +103,27 @@ Result describe_skeleton(const std::string& input, const Context& context) {
 
 } // namespace
 
+fields::List fields::of_skeleton() {
+  namespace type = workshop::type;
+  const workshop::Type names = type::list(type::text);
+  const workshop::Type glued = type::or_null(type::tuple({type::integer, type::text}));
+  return {{"gluings", "",
+           "of each tetrahedron, across its faces 0 to 3: the tetrahedron there, and where its vertices go; "
+           "null: boundary",
+           type::list(type::list(glued, 4))},
+          {"faces", "", "of each class its preimages, as 3:012",
+           type::list(type::object({{"preimages", names}}))},
+          {"edges", "",
+           "of each class valence, ends (vertices), boundary, reversed (identified with itself), preimages",
+           type::list(type::object({{"valence", type::integer},
+                                    {"ends", type::list(type::integer, 2)},
+                                    {"boundary", type::truth},
+                                    {"reversed", type::truth},
+                                    {"preimages", names}}))},
+          {"vertices", "", "of each class its link, whether it is ideal, and its preimages",
+           type::list(type::object({{"link", type::text}, {"ideal", type::truth}, {"preimages", names}}))}};
+}
+
 Run declare_skeleton(OptionTable& table) {
   const auto input = std::make_shared<std::string>();
   table.add("X", *input, "a triangulation or a mesh").required();

@@ -72,7 +72,6 @@ InfoTable angle_table(const Placement& e) {
 }
 
 Result run_view(const ViewArguments& options, const Context& context) {
-  require_extension(options.output, ".html");
   if (options.copies < 1)
     throw InputError("--copies " + std::to_string(options.copies) + ": expected at least 1");
   constexpr std::int64_t most_copies = 20'000; // what a browser turns smoothly
@@ -106,11 +105,21 @@ Result run_view(const ViewArguments& options, const Context& context) {
 
 } // namespace
 
+fields::List fields::of_view() {
+  namespace type = workshop::type;
+  return {{"page", "", "the file written", type::text},
+          {"bytes", "bytes", "its size", type::integer},
+          {"bodies", "", "what can be looked at: name, and copies",
+           type::list(type::object({{"name", type::text}, {"copies", type::integer}}))}};
+}
+
 Run declare_view(OptionTable& table) {
   const auto o = std::make_shared<ViewArguments>();
   table.add("X", o->input, "a hyperbolic manifold; the structure is found first, as by hyperbolize")
       .required();
-  table.add("-o,--output", o->output, "write the page to this file").output_file().required();
+  table.add("-o,--output", o->output, "write the page to this file")
+      .output_file(with_extension(".html"))
+      .required();
   table.add("--copies", o->copies, "greatest number of copies of the domain on the page").with_default();
   table.add("--cusp-area", o->cusp_area, "area of the cross-section that cuts a cusp off").with_default();
   return [o](const Context& context) { return run_view(*o, context); };

@@ -11,6 +11,8 @@ namespace tetrarch::workshop {
 /// All that it holds, for programs: kind, text, theorem, and the evidence in the presentation or the normal
 /// surface.
 Tree tree_of(const reasons::Reason& reason);
+/// Of that tree.
+Type reason_type();
 
 /// The sentences, and the presentation or the surface in which it is seen.
 Rows rows_of(const reasons::Reason& reason);

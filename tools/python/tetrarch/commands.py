@@ -263,7 +263,7 @@ def _result_class(command: str) -> Any:
 
         return property(read, doc=_field_doc(field))
 
-    taken = set(dir(Result))
+    taken = {*dir(Result), *Result.__annotations__}  # how it came out: the field is result["warnings"]
     members: Dict[str, Any] = {field_name(field): attribute(field_name(field), field) for field in fields
                                if field_name(field) not in taken}
     members["__doc__"] = "What `tetrarch %s` found.\n\n" % command + "\n".join(
