@@ -12,8 +12,7 @@
 ///
 ///        x2       The loop that runs from a base point within the disk to a corner, around the cone point,
 ///       /  \      and back turns the sphere by -K around x. Arcs to different corners can be drawn without
-///  x1--o----x3    a crossing. So the loops, one after the other in the order of the corners, are
-///  contractible
+///  x1--o----x3    a crossing. So the loops, one after the other in the order of the corners, are contractible
 ///       \  /      in the sphere without its cone points, and the product of the turns is the identity.
 ///        x4
 ///
