@@ -112,7 +112,9 @@ Run declare_canonize(OptionTable& table) {
            "certificate")
       .output_file(with_extension(".json"));
   table.add("--isometries", options->how.list_isometries, "list all isometries (in JSON)");
-  table.add("--attempts", options->how.attempts, "greatest number of triangulations to try; fewer of large ones")
+  table
+      .add("--attempts", options->how.attempts,
+           "greatest number of triangulations to try; fewer of large ones")
       .in_range(1, 10'000'000)
       .with_default();
   return [options](const Context& context) { return canonize(*options, context); };
