@@ -5,6 +5,7 @@
 /// what `unflip_on_cylinder` and its like have in common.
 
 #include "tetrarch/core/progress.hpp"
+#include "tetrarch/numeric/vector.hpp"
 #include "tetrarch/slit/unflip.hpp"
 
 #include <complex>
