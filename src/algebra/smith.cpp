@@ -40,14 +40,6 @@ Integer magnitude(const Integer& x) {
   return x < 0 ? Integer(-x) : x;
 }
 
-/// Words of memory beyond the machine's own integers.
-std::size_t words(Small /*x*/) {
-  return 0;
-}
-std::size_t words(const Integer& x) {
-  return mpz_size(x.backend().data());
-}
-
 /// a - q * b for the integer q that makes it smallest: at most |b| / 2 in absolute value, which halves the
 /// number of rounds. No intermediate result leaves the range of the arguments.
 template <class S>
@@ -80,7 +72,6 @@ public:
 
   /// False if a machine integer overflowed: take `rows` and go on with larger integers.
   bool run() { return take_units() && divide_out(); }
-  /// Ends early where many long numbers had to be changed.
   bool take_units();
   /// For a matrix without units: isolate its smallest entry, as often as it takes; units may appear meanwhile.
   bool divide_out();
@@ -121,7 +112,6 @@ private:
   std::vector<int> lone_rows_;    ///< rows that came down to one entry
   std::vector<Entry<S>> changes_; ///< of the row in hand
   int units_ = 0;
-  std::size_t words_ = 0; ///< of numbers that were changed
   std::vector<S> divisors_;
 };
 
@@ -195,8 +185,7 @@ auto Elimination<S>::unit_in_column(int column) -> std::optional<Pivot> {
 
 template <class S>
 bool Elimination<S>::take_units() {
-  constexpr std::size_t enough = 10'000'000; // words: a tenth of a second, and others go on better
-  while (words_ < enough) {
+  while (true) {
     std::optional<Pivot> pivot = unit_of_lone_row();
     while (!pivot) {
       const std::optional<int> column = shortest_column();
@@ -207,7 +196,6 @@ bool Elimination<S>::take_units() {
     ++units_;
     drop_row(pivot->row);
   }
-  return true;
 }
 
 /// Subtracts multiples of the pivot's row until every other entry of its column is at most half of it.
@@ -234,7 +222,6 @@ bool Elimination<S>::subtract_row(int row, int pivot_row, const S& q) {
     const S* old = find(row, column);
     S value = old != nullptr ? *old : S(0);
     fits = fits && subtract_multiple(value, q, y);
-    words_ += words(value);
     changes_.push_back({column, std::move(value)});
   });
   if (!fits) return false;
